@@ -1,0 +1,42 @@
+// How a curve begins, stops or closes, arranged once for all families: the control points are
+// extended at the ends or around the loop, and every arranged point gets its parameter value.
+#pragma once
+
+#include "core/spline/curve.h"
+
+#include <vector>
+
+namespace splineloft {
+
+/// One arranged point: a control point, or its mirror image beyond one of the two ends.
+struct Place {
+    std::size_t control = 0;
+    std::optional<std::size_t> mirroredAt; ///< the end point: the place is 2 P[end] - P[control]
+};
+
+/// The control points in the order in which the pieces read them.
+struct Arrangement {
+    Layout layout;
+    std::vector<Place> places;
+    std::size_t pieces = 0;
+    std::size_t before = 0;    ///< places that stand before control point 0
+    std::vector<double> knots; ///< as `Input::knots`
+    KnotLine joints;           ///< parameter values where the pieces meet
+};
+
+/// Arranges the control points of a curve that has no problem.
+Arrangement arrangementOf(const Curve& curve);
+
+/// The values of the arranged places, from those of the controls.
+template <Blendable T>
+std::vector<T> arranged(const std::vector<Place>& places, std::span<const T> controls) {
+    std::vector<T> values;
+    values.reserve(places.size());
+    for (const auto& place : places) {
+        const T& own = controls[place.control];
+        values.push_back(place.mirroredAt ? T(2.0 * controls[*place.mirroredAt] - own) : own);
+    }
+    return values;
+}
+
+} // namespace splineloft

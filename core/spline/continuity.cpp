@@ -1,0 +1,176 @@
+#include "core/spline/continuity.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace splineloft {
+namespace {
+
+// What counts as no jump, relative to the size of the two pieces. Rounding leaves about 1e-15; a
+// jump that a person could ever see or hear is far above.
+constexpr double positionTolerance = 1e-10;
+constexpr double derivativeTolerance = 1e-9;
+constexpr double directionTolerance = 1e-8; // radians
+constexpr double curvatureTolerance = 1e-7; // relative to the larger curvature
+
+/// One side of a joint.
+struct Side {
+    Point position, first, second; // derivatives by t
+    Point direction;               // unit tangent; its limit where the speed is zero
+    Point curvature;               // curvature vector
+    double speed = 0;
+    double interval = 1;
+    double size = 0;                          // extent of the piece
+    double farthest = 0;                      // largest coordinate, which sets the rounding
+    bool moving = false;                      // the speed is not zero
+    double turnNoise = 0, curvatureNoise = 0; // what rounding of the Bézier points leaves of a jump
+};
+
+/// Rounding of a Bézier point whose coordinates are as large as `farthest`.
+double roundingAt(double farthest) {
+    return 64 * std::numeric_limits<double>::epsilon() * farthest;
+}
+
+Point unit(const Point& p) {
+    const double length = norm(p);
+    if (length > 0 && length < std::numeric_limits<double>::min()) {
+        return unit(0x1p200 * p); // 1 / length would overflow
+    }
+    return length > 0 ? (1 / length) * p : p;
+}
+
+/// The direction in which a piece leaves its start or reaches its end: toward the first Bézier
+/// point that differs from the end itself by more than rounding.
+Point limitDirection(const Piece& piece, bool atEnd, double rounding) {
+    const Point end = piece.bezierPoint(atEnd ? piece.degree : 0);
+    for (int k = 1; k <= piece.degree; ++k) {
+        const Point toward = piece.bezierPoint(atEnd ? piece.degree - k : k) - end;
+        if (norm(toward) > rounding) {
+            return unit(atEnd ? -1.0 * toward : toward);
+        }
+    }
+    return Point(piece.dimension);
+}
+
+Side sideOf(const Pieces& pieces, std::size_t segment, bool atEnd) {
+    const Piece piece = pieces[segment];
+    const Jet jet = pieces.jetByParameter({segment, atEnd ? 1.0 : 0.0});
+    Side side{jet.position, jet.first, jet.second, {}, Point(piece.dimension)};
+    const double interval = pieces.knots().interval(segment);
+    side.interval = interval > 0 ? interval : 1;
+    for (int i = 0; i <= piece.degree; ++i) {
+        const Point p = piece.bezierPoint(i);
+        side.size = std::max(side.size, distance(p, jet.position));
+        side.farthest = std::max(side.farthest, norm(p));
+    }
+    side.speed = norm(jet.first);
+    const double rounding = roundingAt(side.farthest);
+    side.moving =
+        side.speed * side.interval > derivativeTolerance * side.size + piece.degree * rounding;
+    side.direction = side.moving ? unit(jet.first) : limitDirection(piece, atEnd, rounding);
+    if (side.moving) {
+        const Point across = jet.second - dot(jet.second, side.direction) * side.direction;
+        side.curvature = (1 / side.speed) * ((1 / side.speed) * across);
+        if (!std::isfinite(norm(side.curvature))) { // too slow for a curvature that is a number
+            side.curvature = Point(piece.dimension);
+            side.moving = false;
+            return side;
+        }
+        // The derivatives are differences of Bézier points, times degree / interval each time.
+        const double perSpeed = piece.degree / side.interval / side.speed;
+        side.turnNoise = rounding * perSpeed;
+        side.curvatureNoise = rounding * perSpeed * (perSpeed + 2 * norm(side.curvature));
+    }
+    return side;
+}
+
+/// Angle between two unit vectors, exact for small ones too.
+double angleBetween(const Point& a, const Point& b) {
+    return 2 * std::atan2(norm(a - b), norm(a + b));
+}
+
+Joint compare(const Side& before, const Side& after, int degree) {
+    Joint joint;
+    joint.gap = distance(before.position, after.position);
+    joint.firstJump = distance(before.first, after.first);
+    joint.secondJump = distance(before.second, after.second);
+    joint.turn = angleBetween(before.direction, after.direction);
+    joint.curvatureJump = distance(before.curvature, after.curvature);
+    const bool bothMove = before.moving && after.moving;
+    joint.speedRatio =
+        bothMove ? std::min(after.speed / before.speed, std::numeric_limits<double>::max()) : 1;
+
+    const double size = std::max(before.size, after.size);
+    const double h = std::min(before.interval, after.interval);
+    const double rounding = roundingAt(std::max(before.farthest, after.farthest));
+    const double rate = degree / h;
+    const bool meets = joint.gap <= positionTolerance * size + rounding;
+    const double slack = derivativeTolerance * size + rounding;
+    const bool sameFirst = joint.firstJump / rate <= slack;
+    const bool sameSecond = joint.secondJump / rate / rate <= slack;
+    joint.c = !meets ? -1 : !sameFirst ? 0 : !sameSecond ? 1 : 2;
+
+    const double angle = size > 0 ? rounding / size : 0;
+    const bool sameWay =
+        joint.turn <= directionTolerance + angle + before.turnNoise + after.turnNoise;
+    const double bend = std::max(norm(before.curvature), norm(after.curvature));
+    const bool sameBend = joint.curvatureJump <= curvatureTolerance * bend +
+                                                     (size > 0 ? derivativeTolerance / size : 0) +
+                                                     before.curvatureNoise + after.curvatureNoise;
+    joint.g = !meets ? -1 : !sameWay ? 0 : !bothMove || !sameBend ? 1 : 2;
+    return joint;
+}
+
+std::string rounded(double value) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
+            .ptr;
+    return {text.data(), end};
+}
+
+} // namespace
+
+std::vector<Joint> jointsOf(const Pieces& pieces, bool closed) {
+    std::vector<Joint> joints;
+    const auto count = pieces.size();
+    for (std::size_t i = 1; i < count + (closed ? 1 : 0); ++i) {
+        const auto after = i % count;
+        Joint joint =
+            compare(sideOf(pieces, i - 1, true), sideOf(pieces, after, false), pieces.degree());
+        joint.t = pieces.knots().knots()[i];
+        joint.before = i - 1;
+        joint.after = after;
+        joints.push_back(joint);
+    }
+    return joints;
+}
+
+std::string describe(const Joint& joint) {
+    const std::string degrees = rounded(joint.turn * 180 / std::numbers::pi) + "°";
+    const std::string speed = "the speed changes by the factor " + rounded(joint.speedRatio);
+    const std::string second = "the second derivative jumps by " + rounded(joint.secondJump);
+    if (joint.c < 0) {
+        return "broken: a gap of " + rounded(joint.gap);
+    }
+    if (joint.g == 0) {
+        return joint.c == 0 ? "C⁰, a corner: the direction turns by " + degrees
+                            : "comes to rest (C" + std::string(joint.c == 2 ? "²" : "¹") +
+                                  ") in a corner of " + degrees;
+    }
+    if (joint.c == 2) {
+        return joint.g == 2 ? "C²" : "C², at rest: the curve stops here and goes on the same way";
+    }
+    if (joint.g == 2) {
+        return joint.c == 1 ? "G², not C²: " + second : "G², not C¹: " + speed;
+    }
+    return joint.c == 1 ? "C¹: " + second
+                        : "G¹, not C¹: " + speed + ", the curvature jumps by " +
+                              rounded(joint.curvatureJump);
+}
+
+} // namespace splineloft

@@ -1,0 +1,28 @@
+// The spot of a curve nearest to a given place, and the box around a curve.
+#pragma once
+
+#include "core/spline/piece.h"
+
+#include <optional>
+
+namespace splineloft {
+
+/// The closest spot and how far away it is.
+struct Nearest {
+    Spot spot;
+    double distance = 0;
+};
+
+/// The nearest spot of all pieces; nothing where there is no piece. Pieces whose hull lies farther
+/// away than the best spot so far are passed over.
+std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place);
+
+/// Corners of a box along the axes.
+struct Box {
+    Point low, high;
+};
+
+/// The box around all Bézier points, which contains the curve; nothing where there is no piece.
+std::optional<Box> hullBox(const Pieces& pieces);
+
+} // namespace splineloft
