@@ -1,0 +1,377 @@
+#include "core/document/edits.h"
+
+#include "core/spline/catalog.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+
+namespace splineloft {
+namespace {
+
+/// The document with one curve changed by `change`.
+template <class Change>
+Document changed(const Document& document, std::size_t index, Change change) {
+    auto curve = std::make_shared<Curve>(*document.curves[index]);
+    change(*curve);
+    Document next = document;
+    next.curves[index] = std::move(curve);
+    return next;
+}
+
+bool hasHandles(const Curve& curve) {
+    return familyOf(curve).hasHandles;
+}
+
+/// `delta` with as many coordinates as `dimension`.
+Point fitted(const Point& delta, int dimension) {
+    Point result(dimension);
+    for (int c = 0; c < std::min(dimension, delta.dimension()); ++c) {
+        result[c] = delta[c];
+    }
+    return result;
+}
+
+/// a + b without the dust that adding decimals in binary leaves behind: to 14 significant digits.
+double cleanSum(double a, double b) {
+    if (b == 0) {
+        return a;
+    }
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), a + b,
+                                   std::chars_format::scientific, 13)
+                         .ptr;
+    double sum = 0;
+    std::from_chars(text.data(), end, sum);
+    return sum;
+}
+
+Point movedBy(Point place, const Point& delta) {
+    for (int c = 0; c < place.dimension(); ++c) {
+        place[c] = cleanSum(place[c], delta[c]);
+    }
+    return place;
+}
+
+/// Whether two handles and the anchor between them lie on one line, the anchor in the middle.
+bool inLine(const Point& handle, const Point& anchor, const Point& partner) {
+    const Point a = anchor - handle;
+    const Point b = partner - anchor;
+    const double lengths = norm(a) * norm(b);
+    return lengths > 0 && dot(a, b) >= lengths * (1 - 1e-9);
+}
+
+/// Turns the partner of a handle that was in line with it, so that it still is.
+void keepInLine(const Curve& before, Curve& after, std::size_t handle,
+                const std::set<std::size_t>& moved) {
+    const auto anchor = anchorOf(before, handle);
+    const auto partner = partnerOf(before, handle);
+    if (!anchor || !partner || moved.contains(*anchor) || moved.contains(*partner) ||
+        !inLine(before.points.at(handle), before.points.at(*anchor), before.points.at(*partner))) {
+        return;
+    }
+    const Point at = after.points.at(*anchor);
+    const Point away = at - after.points.at(handle);
+    if (norm(away) > 0) {
+        const double reach = distance(before.points.at(*partner), at);
+        after.points.set(*partner, at + (reach / norm(away)) * away);
+    }
+}
+
+void movePointsOf(Curve& curve, const std::vector<PointId>& ids, const Point& delta) {
+    const Curve before = curve;
+    std::set<std::size_t> moved;
+    for (const auto& id : ids) {
+        if (id.part == Part::tangent) {
+            curve.tangents.set(id.index, movedBy(before.tangents.at(id.index), delta));
+            continue;
+        }
+        moved.insert(id.index);
+        if (hasHandles(curve) && id.index % 3 == 0) {
+            for (std::size_t i = 0; i < curve.points.size(); ++i) {
+                if (anchorOf(curve, i) == id.index) {
+                    moved.insert(i);
+                }
+            }
+        }
+    }
+    for (const auto index : moved) {
+        curve.points.set(index, movedBy(before.points.at(index), delta));
+    }
+    if (hasHandles(curve)) {
+        for (const auto index : moved) {
+            keepInLine(before, curve, index, moved);
+        }
+    }
+}
+
+/// Cuts a Bézier spline's piece in two with de Casteljau's ladder: the sides of the ladder are the
+/// Bézier points of the halves. Returns the index of the new anchor.
+std::size_t cutPiece(Curve& curve, Spot spot) {
+    const auto ladder = piecesOf(curve)[spot.segment].ladder(spot.u);
+    const auto first = 3 * spot.segment;
+    const auto n = curve.points.size();
+    curve.points.set(first + 1, ladder.level(1)[0]);
+    curve.points.set((first + 2) % n, ladder.level(1)[2]);
+    const std::array added = {ladder.level(2)[0], ladder.tip(), ladder.level(2)[1]};
+    for (std::size_t k = 0; k < added.size(); ++k) {
+        curve.points.insert(first + 2 + k, added[k]);
+    }
+    return first + 3;
+}
+
+/// Which index a point added at a spot should get.
+std::size_t indexForSpot(const Curve& curve, Spot spot) {
+    const auto layout = layoutOf(curve);
+    if (layout.stride > 1) { // one Bézier piece: its points are spread over the whole of it
+        const auto legs = static_cast<double>(curve.points.size() - 1);
+        return 1 + std::min(static_cast<std::size_t>(spot.u * legs), curve.points.size() - 2);
+    }
+    const bool secondHalf = layout.degree % 2 == 0 && spot.u > 0.5;
+    return std::min(controlAtStart(curve, spot.segment) + 1 + (secondHalf ? 1 : 0),
+                    curve.points.size());
+}
+
+Points catmullRomTangents(const Points& points, bool closed) {
+    Points tangents(points.dimension());
+    const auto n = points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto before = i > 0 ? i - 1 : closed ? n - 1 : 0;
+        const auto after = i + 1 < n ? i + 1 : closed ? 0 : i;
+        tangents.append(0.5 * (points.at(after) - points.at(before)));
+    }
+    return tangents;
+}
+
+void eraseFrom(Curve& curve, std::size_t index) {
+    curve.points.erase(index);
+    if (!curve.tangents.empty()) {
+        curve.tangents.erase(index);
+    }
+}
+
+/// Deletes from a Bézier spline: handles first, which are drawn in, then anchors from the back.
+void deleteFromBezierSpline(Curve& curve, const std::set<std::size_t>& indices) {
+    for (const auto index : indices) {
+        if (const auto anchor = anchorOf(curve, index)) {
+            curve.points.set(index, curve.points.at(*anchor));
+        }
+    }
+    for (auto index = indices.rbegin(); index != indices.rend(); ++index) {
+        if (*index % 3 != 0) {
+            continue;
+        }
+        // The anchor and the handles on both sides; at an end, the piece that began there.
+        const auto n = curve.points.size();
+        const auto first = *index == 0 ? 0 : *index + 1 == n && n > 2 ? n - 3 : *index - 1;
+        for (std::size_t k = 0; k < 3 && first < curve.points.size(); ++k) {
+            curve.points.erase(first);
+        }
+    }
+}
+
+/// Where the handle leaving the last anchor of a Bézier spline goes, from the anchor, when the next
+/// anchor is `step` away: straight there, unless the handle arriving was pulled out of its line, as
+/// the pen does; then on along it.
+Point onward(const Curve& curve, const Point& step) {
+    const auto n = curve.points.size();
+    if (n >= 4) {
+        const Point anchor = curve.points.at(n - 1);
+        const Point arriving = anchor - curve.points.at(n - 2);
+        const Point straight = (1.0 / 3) * (anchor - curve.points.at(n - 4));
+        if (distance(arriving, straight) > 1e-9 * norm(straight)) {
+            return arriving;
+        }
+    }
+    return (1.0 / 3) * step;
+}
+
+} // namespace
+
+std::optional<std::size_t> anchorOf(const Curve& curve, std::size_t index) {
+    if (!hasHandles(curve) || index % 3 == 0) {
+        return std::nullopt;
+    }
+    const auto anchor = index % 3 == 1 ? index - 1 : index + 1;
+    if (anchor < curve.points.size()) {
+        return anchor;
+    }
+    return curve.closed ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+std::optional<std::size_t> partnerOf(const Curve& curve, std::size_t handle) {
+    const auto anchor = anchorOf(curve, handle);
+    if (!anchor) {
+        return std::nullopt;
+    }
+    const auto n = curve.points.size();
+    if (handle % 3 == 2) {
+        const auto partner = *anchor + 1;
+        return partner < n ? std::optional(partner) : std::nullopt;
+    }
+    if (*anchor > 0) {
+        return *anchor - 1;
+    }
+    return curve.closed ? std::optional(n - 1) : std::nullopt;
+}
+
+Document movePoints(const Document& document, std::span<const PointId> ids, const Point& delta) {
+    Document next = document;
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        std::vector<PointId> own;
+        std::ranges::copy_if(ids, std::back_inserter(own),
+                             [i](const PointId& id) { return id.curve == i; });
+        if (!own.empty()) {
+            next = changed(next, i, [&](Curve& curve) {
+                movePointsOf(curve, own, fitted(delta, curve.points.dimension()));
+            });
+        }
+    }
+    return next;
+}
+
+Document setPoint(const Document& document, const PointId& id, const Point& place) {
+    return changed(document, id.curve, [&](Curve& curve) {
+        (id.part == Part::point ? curve.points : curve.tangents).set(id.index, place);
+    });
+}
+
+Document insertPoint(const Document& document, std::size_t curve, std::size_t before,
+                     const Point& place) {
+    return changed(document, curve, [&](Curve& changing) {
+        changing.points.insert(before, place);
+        if (familyOf(changing).usesTangents) {
+            const auto all = catmullRomTangents(changing.points, changing.closed);
+            changing.tangents.insert(before, all.at(before));
+        }
+    });
+}
+
+Inserted insertOnCurve(const Document& document, std::size_t curve, Spot spot) {
+    const Curve& old = *document.curves[curve];
+    if (hasHandles(old)) {
+        std::size_t anchor = 0;
+        Document next =
+            changed(document, curve, [&](Curve& changing) { anchor = cutPiece(changing, spot); });
+        return {std::move(next), {curve, anchor}};
+    }
+    const Jet jet = piecesOf(old).jet(spot);
+    const auto index = indexForSpot(old, spot);
+    Document next = insertPoint(document, curve, index, jet.position);
+    if (familyOf(old).usesTangents) {
+        // Two pieces where there was one: each runs through its half at half the speed.
+        next = setPoint(next, {curve, index, Part::tangent}, 0.5 * jet.first);
+    }
+    return {std::move(next), {curve, index}};
+}
+
+Inserted appendPoint(const Document& document, std::size_t curve, const Point& place) {
+    const Curve& old = *document.curves[curve];
+    const auto n = old.points.size();
+    if (!hasHandles(old) || n == 0 || old.closed) {
+        return {insertPoint(document, curve, n, place), {curve, n}};
+    }
+    Document next = changed(document, curve, [&](Curve& changing) {
+        const Point from = changing.points.at(n - 1);
+        if (n % 3 == 1) {
+            changing.points.append(from + onward(changing, place - from));
+            changing.points.append(from + (2.0 / 3) * (place - from));
+        }
+        changing.points.append(place);
+    });
+    const auto last = next.curves[curve]->points.size() - 1;
+    return {std::move(next), {curve, last}};
+}
+
+Document deletePoints(const Document& document, std::span<const PointId> ids) {
+    Document next = document;
+    for (std::size_t i = document.curves.size(); i-- > 0;) {
+        std::set<std::size_t> indices;
+        for (const auto& id : ids) {
+            if (id.curve == i && id.part == Part::point) {
+                indices.insert(id.index);
+            }
+        }
+        if (indices.empty()) {
+            continue;
+        }
+        next = changed(next, i, [&](Curve& curve) {
+            if (hasHandles(curve)) {
+                deleteFromBezierSpline(curve, indices);
+                return;
+            }
+            for (auto index = indices.rbegin(); index != indices.rend(); ++index) {
+                eraseFrom(curve, *index);
+            }
+        });
+        if (next.curves[i]->points.empty()) {
+            next = removeCurve(next, i);
+        }
+    }
+    return next;
+}
+
+Document setFamily(const Document& document, std::size_t curve, std::string_view family) {
+    const Family* wanted = findFamily(family);
+    if (wanted == nullptr || document.curves[curve]->family == family) {
+        return document;
+    }
+    return changed(document, curve, [&](Curve& changing) {
+        changing.family = family;
+        changing.parameters.clear();
+        completeParameters(changing);
+        changing.closed = changing.closed && wanted->closable;
+        if (std::ranges::find(wanted->ends, changing.ends) == wanted->ends.end()) {
+            changing.ends = wanted->ends.front();
+        }
+        changing.tangents = wanted->usesTangents
+                                ? catmullRomTangents(changing.points, changing.closed)
+                                : Points(changing.points.dimension());
+    });
+}
+
+Document setParameter(const Document& document, std::size_t curve, std::string_view key,
+                      double value) {
+    return changed(document, curve,
+                   [&](Curve& changing) { changing.parameters[std::string(key)] = value; });
+}
+
+Document setEnds(const Document& document, std::size_t curve, Ends ends) {
+    return changed(document, curve, [&](Curve& changing) { changing.ends = ends; });
+}
+
+Document setClosed(const Document& document, std::size_t curve, bool closed) {
+    return changed(document, curve, [&](Curve& changing) {
+        auto& points = changing.points;
+        if (hasHandles(changing) && closed && !changing.closed && points.size() % 3 == 1 &&
+            points.size() > 1) {
+            const Point from = points.at(points.size() - 1);
+            const Point to = points.at(0);
+            points.append(2.0 * from - points.at(points.size() - 2));
+            points.append(2.0 * to - points.at(1));
+        } else if (hasHandles(changing) && !closed && changing.closed && points.size() % 3 == 0) {
+            points.erase(points.size() - 1);
+            points.erase(points.size() - 1);
+        }
+        changing.closed = closed;
+    });
+}
+
+Document renameCurve(const Document& document, std::size_t curve, std::string name) {
+    return changed(document, curve, [&](Curve& changing) { changing.name = std::move(name); });
+}
+
+Document addCurve(const Document& document, Curve curve) {
+    Document next = document;
+    next.curves.push_back(std::make_shared<Curve>(std::move(curve)));
+    return next;
+}
+
+Document removeCurve(const Document& document, std::size_t curve) {
+    Document next = document;
+    next.curves.erase(next.curves.begin() + static_cast<std::ptrdiff_t>(curve));
+    return next;
+}
+
+} // namespace splineloft

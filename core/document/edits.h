@@ -1,0 +1,60 @@
+// What a person does to a document: functions from document to document. None of them draws, asks
+// or remembers; a drag calls the same one again and again with its total displacement.
+#pragma once
+
+#include "core/document/document.h"
+
+#include <span>
+#include <string>
+
+namespace splineloft {
+
+/// Moves control points, and tips of tangents, by `delta`; coordinates that a curve lacks are left
+/// out. Sums are rounded to 14 digits, so that 0.1 moved by 0.2 lies at 0.3. In a Bézier spline an anchor takes its handles with it, and a handle turns its partner
+/// along where the two were in line.
+Document movePoints(const Document& document, std::span<const PointId> ids, const Point& delta);
+
+/// Puts one control point at `place`, or gives a tangent that value. Nothing else moves.
+Document setPoint(const Document& document, const PointId& id, const Point& place);
+
+/// Puts a new control point at `place` before the one numbered `before` (or at the end).
+Document insertPoint(const Document& document, std::size_t curve, std::size_t before,
+                     const Point& place);
+
+/// A document and the control point that was added to it.
+struct Inserted {
+    Document document;
+    PointId point;
+};
+
+/// Adds a control point at a spot of the curve. In a Bézier spline the piece is cut there and keeps
+/// its shape; elsewhere the new point lands on the old curve.
+Inserted insertOnCurve(const Document& document, std::size_t curve, Spot spot);
+
+/// Adds a control point after the last; a Bézier spline also gets the two handles in between.
+Inserted appendPoint(const Document& document, std::size_t curve, const Point& place);
+
+/// Deletes control points, and every curve that has none left. In a Bézier spline an anchor goes
+/// with its handles, and a handle alone is drawn in to its anchor.
+Document deletePoints(const Document& document, std::span<const PointId> ids);
+
+/// Draws the same points as another family. Parameters start at their neutral values; ends and
+/// closing stay where the family allows them; Hermite tangents start as those of Catmull-Rom.
+Document setFamily(const Document& document, std::size_t curve, std::string_view family);
+
+Document setParameter(const Document& document, std::size_t curve, std::string_view key,
+                      double value);
+Document setEnds(const Document& document, std::size_t curve, Ends ends);
+/// Closing a Bézier spline adds the two handles of its last piece, opening it takes them away.
+Document setClosed(const Document& document, std::size_t curve, bool closed);
+Document renameCurve(const Document& document, std::size_t curve, std::string name);
+Document addCurve(const Document& document, Curve curve);
+Document removeCurve(const Document& document, std::size_t curve);
+
+/// The anchor beside which a handle of a Bézier spline stands, if `index` is one.
+std::optional<std::size_t> anchorOf(const Curve& curve, std::size_t index);
+
+/// The handle on the other side of a handle's anchor, if there is one.
+std::optional<std::size_t> partnerOf(const Curve& curve, std::size_t handle);
+
+} // namespace splineloft
