@@ -1,0 +1,52 @@
+#include "core/formats/json_tape.h"
+
+namespace splineloft {
+namespace {
+
+/// Longest key spelled out in a JSON pointer, in bytes.
+constexpr std::size_t longestToken = 80;
+
+} // namespace
+
+std::string_view describe(JsonKind kind) {
+    switch (kind) {
+    case JsonKind::null: return "is null";
+    case JsonKind::boolean: return "is true or false";
+    case JsonKind::number: return "is a number";
+    case JsonKind::text: return "is a string";
+    case JsonKind::array: return "is an array";
+    case JsonKind::object: return "is an object";
+    }
+    return "";
+}
+
+std::string pointerToken(std::string_view key) {
+    std::string token = "/";
+    for (const char c : key.substr(0, longestToken)) {
+        if (c == '~' || c == '/') {
+            token += c == '~' ? "~0" : "~1";
+        } else {
+            token += c;
+        }
+    }
+    return key.size() > longestToken ? token + "..." : token;
+}
+
+std::string pointerToken(std::size_t index) { return pointerToken(std::to_string(index)); }
+
+std::string JsonPlace::pointer() const {
+    if (within_ == nullptr) {
+        return "";
+    }
+    return within_->pointer() +
+           (index_ == notAnIndex ? pointerToken(key_) : pointerToken(index_));
+}
+
+const JsonCell& JsonValue::cell() const { return tape_->cells_[at_]; }
+
+std::string_view JsonValue::text() const {
+    const auto& where = cell().text;
+    return std::string_view(tape_->letters_).substr(where.start, where.length);
+}
+
+} // namespace splineloft
