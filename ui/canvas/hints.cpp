@@ -1,0 +1,52 @@
+#include "ui/canvas/hints.h"
+
+#include "core/document/edits.h"
+#include "ui/canvas/wording.h"
+
+namespace splineloft::ui {
+
+std::string nameOf(const Document& document, const std::vector<PointId>& ids) {
+    if (ids.size() != 1) {
+        return std::to_string(ids.size()) + " points";
+    }
+    const auto& id = ids.front();
+    const auto name = plainPointName(id.index);
+    if (id.part == Part::tangent) {
+        return "the tangent at " + name;
+    }
+    return anchorOf(*document.curves[id.curve], id.index) ? "handle " + name : name;
+}
+
+std::string hintFor(const Gesture& gesture, const View& view, const Document& document) {
+    if (std::holds_alternative<DraggingPoints>(gesture)) {
+        return "Shift keeps the axis · Ctrl snaps to grid and points · Esc or right click restores";
+    }
+    if (std::holds_alternative<Boxing>(gesture)) {
+        return "Release to select the points inside · Esc leaves the selection as it was";
+    }
+    if (std::holds_alternative<Panning>(gesture)) {
+        return "Drag to move the view";
+    }
+    if (std::holds_alternative<SlidingCursor>(gesture)) {
+        return "Drag along the curve to slide u";
+    }
+    if (std::holds_alternative<PlacingPoint>(gesture)) {
+        return "Drag to pull out handles, where the family has them · release to place the point";
+    }
+    if (view.tool == Tool::pen) {
+        return "Click to add a point at the end · click the first point to close · Enter or Esc "
+               "ends";
+    }
+    if (view.hovered) {
+        return "Drag to move " + nameOf(document, {*view.hovered}) +
+               " · Shift keeps the axis · Ctrl snaps · Shift+click selects more";
+    }
+    if (view.ghost) {
+        return "Drag to slide u · double-click to insert a point here";
+    }
+    return document.curves.empty()
+               ? "Press P and click to lay down points, or open a file with Ctrl+O"
+               : "Drag to select · middle-drag moves the view · wheel zooms · P adds points";
+}
+
+} // namespace splineloft::ui

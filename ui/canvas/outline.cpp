@@ -1,0 +1,77 @@
+#include "ui/canvas/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+constexpr double flatness = 0.1; // pixels
+constexpr int deepest = 18;      // halvings of one piece
+constexpr double overhang = 40;  // pixels around the frame in which lines may still be seen
+
+using Hull = std::vector<ScreenPoint>;
+
+bool isOutside(const Hull& hull, const ScreenRect& frame) {
+    const auto all = [&](auto test) { return std::ranges::all_of(hull, test); };
+    return all([&](ScreenPoint p) { return p.x < frame.left - overhang; }) ||
+           all([&](ScreenPoint p) { return p.x > frame.right() + overhang; }) ||
+           all([&](ScreenPoint p) { return p.y < frame.top - overhang; }) ||
+           all([&](ScreenPoint p) { return p.y > frame.bottom() + overhang; });
+}
+
+/// Whether the inner Bézier points are so near to their places on an evenly run line that the curve
+/// is within the tolerance of the line.
+bool isFlat(const Hull& hull) {
+    const auto n = hull.size() - 1;
+    const double bound = static_cast<double>(n * (n - 1)) / 8;
+    for (std::size_t i = 0; i + 2 < hull.size(); ++i) {
+        const double bendX = hull[i].x - 2 * hull[i + 1].x + hull[i + 2].x;
+        const double bendY = hull[i].y - 2 * hull[i + 1].y + hull[i + 2].y;
+        if (!(bound * std::hypot(bendX, bendY) <= flatness)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Adds everything after the first point of the hull's curve.
+void add(std::vector<ScreenPoint>& line, Hull hull, const ScreenRect& frame, int depth) {
+    if (depth == deepest || isFlat(hull) || isOutside(hull, frame)) {
+        line.push_back(hull.back());
+        return;
+    }
+    // The sides of de Casteljau's ladder at one half are the hulls of the two halves.
+    Hull left;
+    Hull right(hull.size());
+    for (std::size_t count = hull.size(); count > 0; --count) {
+        left.push_back(hull.front());
+        right[count - 1] = hull[count - 1];
+        for (std::size_t i = 0; i + 1 < count; ++i) {
+            hull[i] = {0.5 * (hull[i].x + hull[i + 1].x), 0.5 * (hull[i].y + hull[i + 1].y)};
+        }
+    }
+    add(line, std::move(left), frame, depth + 1);
+    add(line, std::move(right), frame, depth + 1);
+}
+
+} // namespace
+
+std::vector<ScreenPoint> outline(const Pieces& plane, const Viewport& viewport) {
+    std::vector<ScreenPoint> line;
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+        const Piece piece = plane[i];
+        Hull hull;
+        for (int k = 0; k <= piece.degree; ++k) {
+            const Point p = piece.bezierPoint(k);
+            hull.push_back(viewport.toScreen({p[0], p[1]}));
+        }
+        if (i == 0) {
+            line.push_back(hull.front());
+        }
+        add(line, std::move(hull), viewport.frame, 0);
+    }
+    return line;
+}
+
+} // namespace splineloft::ui

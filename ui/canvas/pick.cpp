@@ -1,0 +1,98 @@
+#include "ui/canvas/pick.h"
+
+#include "core/spline/nearest.h"
+
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+/// The best candidate so far: the lower score wins.
+struct Best {
+    std::optional<PointId> point;
+    double score = 0;
+
+    void offer(const PointId& id, double distance, bool selected, bool active) {
+        // Preference counts like nearness: a selected point wins over one that is 6 pixels nearer.
+        const double offered = distance - (selected ? 6 : 0) - (active ? 3 : 0);
+        if (!point || offered < score) {
+            point = id;
+            score = offered;
+        }
+    }
+};
+
+double screenDistance(ScreenPoint a, ScreenPoint b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+std::optional<CurveHit> pickCurve(const Studies& studies, const View& view,
+                                  const Viewport& viewport, ScreenPoint at, double reach) {
+    const PlanePoint place = viewport.toPlane(at);
+    std::optional<CurveHit> hit;
+    double best = viewport.toPlane(reach);
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        const auto nearest = nearestTo(studies[i].plane(view.axes), Point{place.x, place.y});
+        if (nearest && nearest->distance < best) {
+            hit = {i, nearest->spot};
+            // The active curve is not lost to another that crosses it.
+            best = i == view.activeCurve ? nearest->distance / 2 : nearest->distance;
+        }
+    }
+    return hit;
+}
+
+} // namespace
+
+PlanePoint tangentTip(const Curve& curve, const Axes& axes, std::size_t index) {
+    Curve tip = curve;
+    tip.points = Points(curve.points.dimension());
+    tip.points.append(curve.points.at(index) + (1.0 / 3) * curve.tangents.at(index));
+    const PlanePoint place = controlPlaces(tip, axes).front();
+    if (curve.points.dimension() == 1) { // its parameter, a third of an interval on
+        return {controlPlaces(curve, axes)[index].x + 1.0 / 3, place.y};
+    }
+    return place;
+}
+
+Hit pick(const Document& document, const Studies& studies, const View& view,
+         const Viewport& viewport, ScreenPoint at, double scale) {
+    Best best;
+    for (std::size_t c = 0; c < document.curves.size(); ++c) {
+        const Curve& curve = *document.curves[c];
+        const bool active = c == view.activeCurve;
+        const auto offer = [&](const PointId& id, PlanePoint place) {
+            const double away = screenDistance(viewport.toScreen(place), at);
+            if (away <= pointReach * scale) {
+                best.offer(id, away / scale, view.selection.contains(id), active);
+            }
+        };
+        const auto places = controlPlaces(curve, view.axes);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            offer({c, i, Part::point}, places[i]);
+        }
+        for (std::size_t i = 0; active && i < curve.tangents.size(); ++i) {
+            offer({c, i, Part::tangent}, tangentTip(curve, view.axes, i));
+        }
+    }
+    if (best.point) {
+        return {best.point, std::nullopt};
+    }
+    return {std::nullopt, pickCurve(studies, view, viewport, at, curveReach * scale)};
+}
+
+std::set<PointId> pointsInside(const Document& document, const View& view, const Viewport& viewport,
+                               const ScreenRect& rect) {
+    std::set<PointId> inside;
+    for (std::size_t c = 0; c < document.curves.size(); ++c) {
+        const auto places = controlPlaces(*document.curves[c], view.axes);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (rect.contains(viewport.toScreen(places[i]))) {
+                inside.insert({c, i, Part::point});
+            }
+        }
+    }
+    return inside;
+}
+
+} // namespace splineloft::ui

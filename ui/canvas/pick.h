@@ -1,0 +1,40 @@
+// What lies under the pointer.
+#pragma once
+
+#include "ui/canvas/viewport.h"
+#include "ui/study.h"
+
+#include <optional>
+
+namespace splineloft::ui {
+
+/// How far from a thing the pointer may be, design pixels.
+inline constexpr double pointReach = 10;
+inline constexpr double curveReach = 7;
+
+/// A spot of one of the curves.
+struct CurveHit {
+    std::size_t curve = 0;
+    Spot spot;
+};
+
+/// What was hit: a control point or tangent first, otherwise a curve.
+struct Hit {
+    std::optional<PointId> point;
+    std::optional<CurveHit> curve;
+};
+
+/// Where the tip of a control point's tangent is drawn: a third of it away, where the Bézier handle
+/// is (handle = tangent / 3).
+PlanePoint tangentTip(const Curve& curve, const Axes& axes, std::size_t index);
+
+/// Looks under `at`. Where things lie on top of one another the selected one wins, then one of the
+/// active curve, then the nearest.
+Hit pick(const Document& document, const Studies& studies, const View& view,
+         const Viewport& viewport, ScreenPoint at, double scale);
+
+/// All control points (not tangents) inside a rectangle.
+std::set<PointId> pointsInside(const Document& document, const View& view, const Viewport& viewport,
+                               const ScreenRect& rect);
+
+} // namespace splineloft::ui

@@ -1,0 +1,89 @@
+// What is to be seen, in pixels but without colours: strokes, marks and labels, each with the role
+// that it plays. The theme alone knows how a role looks.
+#pragma once
+
+#include "ui/drawing.h"
+
+#include <string>
+#include <vector>
+
+namespace splineloft::ui {
+
+/// The part that a stroke, mark or label plays.
+enum class Role {
+    gridFine,
+    gridCoarse,
+    gridAxis,
+    gridNumber,
+    curve,      ///< the active curve
+    otherCurve, ///< the others
+    curveHalo,  ///< the active curve under the pointer
+    polygon,
+    handleLine,
+    control,      ///< a control point, in its own colour
+    otherControl, ///< of a curve that is not active
+    selected,
+    hovered,
+    ghost,
+    ladder, ///< a level of de Casteljau's construction; the index is the level
+    tip,    ///< its last point: the point of the curve
+    comb,
+    combEdge,
+    bead,
+    joint,
+    jointNote,
+    box,  ///< rubber band
+    snap, ///< what a drag has snapped to
+    plotAxis,
+    plotBand,
+    plotCursor,
+    plotText,
+    basis ///< a basis function, in its control point's colour
+};
+
+/// A role, and of which control point or level.
+struct Ink {
+    Role role = Role::curve;
+    int index = 0;
+};
+
+struct SceneStroke {
+    std::vector<ScreenPoint> points;
+    Ink ink = {};
+    bool closed = false;
+    bool emphasised = false;
+};
+
+struct SceneMark {
+    ScreenPoint at;
+    SignShape shape = SignShape::disc;
+    Ink ink;
+    double angle = 0; ///< radians, clockwise on the screen
+};
+
+/// Text near a place. "_" in the text lowers what follows, up to a space: "P_1,2".
+struct SceneLabel {
+    std::string text;
+    ScreenPoint at;
+    double clearance = 0; ///< how far the text stays from `at`, pixels
+    Ink ink;
+    bool optional = true; ///< left out where there is no room
+    bool fixed = false;   ///< stands exactly at `at`, its middle line there
+    bool noted = false;   ///< on a small plate, as a note
+};
+
+struct SceneArea {
+    ScreenRect rect;
+    Ink ink;
+};
+
+/// One picture in one frame of the window.
+struct Scene {
+    ScreenRect frame;
+    std::vector<SceneArea> areas;
+    std::vector<SceneStroke> strokes;
+    std::vector<SceneMark> marks;
+    std::vector<SceneLabel> labels;
+};
+
+} // namespace splineloft::ui

@@ -1,0 +1,53 @@
+#include "ui/canvas/snap.h"
+
+#include "ui/canvas/grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+// How near another point must be to be snapped to, design pixels.
+constexpr double snapReach = 9;
+
+PlanePoint startOf(const PointId& id, const View& view, const Situation& s) {
+    const Curve& curve = *s.settled.curves[id.curve];
+    return id.part == Part::tangent ? tangentTip(curve, view.axes, id.index)
+                                    : controlPlaces(curve, view.axes)[id.index];
+}
+
+std::optional<PlanePoint> nearbyPoint(PlanePoint wanted, const std::vector<PointId>& ids,
+                                      const View& view, const Situation& s) {
+    std::optional<PlanePoint> found;
+    double best = s.viewport.toPlane(snapReach * s.scale);
+    for (std::size_t c = 0; c < s.settled.curves.size(); ++c) {
+        const auto places = controlPlaces(*s.settled.curves[c], view.axes);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double away = std::hypot(places[i].x - wanted.x, places[i].y - wanted.y);
+            if (away < best && std::ranges::find(ids, PointId{c, i, Part::point}) == ids.end()) {
+                best = away;
+                found = places[i];
+            }
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
+                    const PointId& grabbed, const View& view, const Situation& situation) {
+    const PlanePoint start = startOf(grabbed, view, situation);
+    const PlanePoint wanted{start.x + move.dx, start.y + move.dy};
+    auto to = nearbyPoint(wanted, ids, view, situation);
+    if (!to) {
+        const double step = fineGridStep(situation.viewport.camera, situation.scale);
+        to = PlanePoint{std::round(wanted.x / step) * step, std::round(wanted.y / step) * step};
+    }
+    // A move along one axis only (Shift) stays on it.
+    SnappedMove result{move.dx == 0 ? 0 : to->x - start.x, move.dy == 0 ? 0 : to->y - start.y, to};
+    return result;
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,21 @@
+// Snapping: the grabbed point goes to a point of the document or of the grid that is near it.
+#pragma once
+
+#include "ui/canvas/gesture.h"
+
+#include <optional>
+
+namespace splineloft::ui {
+
+/// A displacement in the plane, and what it snapped to.
+struct SnappedMove {
+    double dx = 0, dy = 0;
+    std::optional<PlanePoint> to;
+};
+
+/// The displacement that puts `grabbed` onto the nearest control point not among `ids` within
+/// reach, otherwise onto the nearest fine grid point.
+SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
+                    const PointId& grabbed, const View& view, const Situation& situation);
+
+} // namespace splineloft::ui

@@ -1,0 +1,84 @@
+// How a person looks at the document: everything on the screen that is not part of it. Undo never
+// touches it, and it is not saved with the curves.
+#pragma once
+
+#include "core/document/document.h"
+#include "core/spline/sample.h"
+#include "ui/drawing.h"
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace splineloft::ui {
+
+/// Which two coordinates lie across and up the canvas. A curve with one coordinate is drawn as a
+/// graph: its parameter across, its value up.
+struct Axes {
+    int across = 0, up = 1;
+    bool operator==(const Axes&) const = default;
+};
+
+/// A place in the plane of the canvas: document units, y up.
+struct PlanePoint {
+    double x = 0, y = 0;
+    bool operator==(const PlanePoint&) const = default;
+};
+
+/// What the canvas shows: the middle of it, and how large a unit is.
+struct Camera {
+    PlanePoint centre;
+    double pixelsPerUnit = 80; ///< framebuffer pixels
+    bool operator==(const Camera&) const = default;
+};
+
+/// What is drawn besides the curves themselves.
+struct Layers {
+    bool polygon = true;
+    bool labels = true;
+    bool ladder = true;
+    bool comb = false;
+    bool beads = false;
+    bool joints = false;
+    bool basis = true;
+    bool operator==(const Layers&) const = default;
+};
+
+/// A layer by name, as the command line knows it.
+struct NamedLayer {
+    std::string_view name;
+    bool Layers::* layer;
+};
+inline constexpr std::array namedLayers = {
+    NamedLayer{"polygon", &Layers::polygon}, NamedLayer{"labels", &Layers::labels},
+    NamedLayer{"ladder", &Layers::ladder},   NamedLayer{"comb", &Layers::comb},
+    NamedLayer{"beads", &Layers::beads},     NamedLayer{"joints", &Layers::joints},
+    NamedLayer{"basis", &Layers::basis}};
+
+enum class Tool { select, pen };
+
+enum class ThemeKind { dark, light };
+
+struct View {
+    Camera camera;
+    bool fitPending = true; ///< the next frame fits the document into the canvas
+    Axes axes;
+    Layers layers;
+    Tool tool = Tool::select;
+    ThemeKind theme = ThemeKind::dark;
+
+    std::size_t activeCurve = 0;
+    std::set<PointId> selection;
+    std::optional<PointId> hovered;
+    std::optional<Spot> ghost; ///< where a double click on the active curve would insert
+
+    Spot cursor; ///< u, on the active curve
+    bool playing = false;
+    double duration = 6;      ///< seconds from start to end
+    Even pace = Even::length; ///< what playing, and the beads, are even in
+    int beads = 24;
+    double strip = 208; ///< height of the plots, design pixels
+};
+
+} // namespace splineloft::ui

@@ -1,0 +1,123 @@
+#include "ui/canvas/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+// Beyond these a double could not tell neighbouring pixels apart.
+constexpr double leastPixelsPerUnit = 1e-8;
+constexpr double mostPixelsPerUnit = 1e12;
+
+/// The coordinate shown along one axis; the last one where the curve has fewer.
+int shown(int axis, int dimension) {
+    return std::min(axis, dimension - 1);
+}
+
+} // namespace
+
+ScreenPoint Viewport::toScreen(PlanePoint p) const {
+    return {frame.left + frame.width / 2 + (p.x - camera.centre.x) * camera.pixelsPerUnit,
+            frame.top + frame.height / 2 - (p.y - camera.centre.y) * camera.pixelsPerUnit};
+}
+
+PlanePoint Viewport::toPlane(ScreenPoint p) const {
+    return {camera.centre.x + (p.x - frame.left - frame.width / 2) / camera.pixelsPerUnit,
+            camera.centre.y - (p.y - frame.top - frame.height / 2) / camera.pixelsPerUnit};
+}
+
+Camera zoomed(const Viewport& viewport, ScreenPoint at, double factor) {
+    Viewport next = viewport;
+    next.camera.pixelsPerUnit =
+        std::clamp(viewport.camera.pixelsPerUnit * factor, leastPixelsPerUnit, mostPixelsPerUnit);
+    const PlanePoint before = viewport.toPlane(at);
+    const PlanePoint after = next.toPlane(at);
+    next.camera.centre.x += before.x - after.x;
+    next.camera.centre.y += before.y - after.y;
+    return next.camera;
+}
+
+Camera panned(const Camera& camera, double dx, double dy) {
+    Camera next = camera;
+    next.centre.x -= dx / camera.pixelsPerUnit;
+    next.centre.y += dy / camera.pixelsPerUnit;
+    return next;
+}
+
+Camera fitted(PlanePoint low, PlanePoint high, const ScreenRect& frame, double margin) {
+    Camera camera;
+    camera.centre = {0.5 * (low.x + high.x), 0.5 * (low.y + high.y)};
+    const double across = std::max(frame.width - 2 * margin, 1.0) / (high.x - low.x);
+    const double up = std::max(frame.height - 2 * margin, 1.0) / (high.y - low.y);
+    const double scale = std::min(across, up); // one of them is infinite for a straight line
+    camera.pixelsPerUnit =
+        std::isfinite(scale) ? std::clamp(scale, leastPixelsPerUnit, mostPixelsPerUnit) : 80.0;
+    return camera;
+}
+
+double gridStep(const Camera& camera, double pixels) {
+    const double least = pixels / camera.pixelsPerUnit;
+    const double decade = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * decade >= least) {
+            return factor * decade;
+        }
+    }
+    return 10 * decade;
+}
+
+Pieces flattened(const Pieces& pieces, const Axes& axes) {
+    const int dimension = pieces.dimension();
+    if (dimension == 2 && axes == Axes{}) {
+        return pieces;
+    }
+    const auto knots = pieces.knots().knots();
+    std::vector<double> plane;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Piece piece = pieces[i];
+        for (int k = 0; k <= piece.degree; ++k) {
+            const Point p = piece.bezierPoint(k);
+            const double part = piece.degree > 0 ? static_cast<double>(k) / piece.degree : 0;
+            plane.push_back(dimension == 1 ? lerp(knots[i], knots[i + 1], part)
+                                           : p[shown(axes.across, dimension)]);
+            plane.push_back(p[shown(axes.up, dimension)]);
+        }
+    }
+    return {pieces.degree(), 2, pieces.knots(), std::move(plane)};
+}
+
+std::vector<PlanePoint> controlPlaces(const Curve& curve, const Axes& axes) {
+    std::vector<PlanePoint> places;
+    const int dimension = curve.points.dimension();
+    const auto across = dimension == 1 ? abscissae(curve) : std::vector<double>();
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+        const auto row = curve.points[i];
+        const auto at = [&](int axis) {
+            return row[static_cast<std::size_t>(shown(axis, dimension))];
+        };
+        places.push_back({dimension == 1 ? across[i] : at(axes.across), at(axes.up)});
+    }
+    return places;
+}
+
+Point liftedDelta(const Curve& curve, const Axes& axes, double dx, double dy) {
+    const int dimension = curve.points.dimension();
+    Point delta(dimension);
+    if (dimension > 1) {
+        delta[shown(axes.across, dimension)] += dx;
+    }
+    delta[shown(axes.up, dimension)] += dy;
+    return delta;
+}
+
+Point lifted(const Curve& curve, const Axes& axes, Point place, PlanePoint at) {
+    const int dimension = curve.points.dimension();
+    if (dimension > 1) {
+        place[shown(axes.across, dimension)] = at.x;
+    }
+    place[shown(axes.up, dimension)] = at.y;
+    return place;
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,58 @@
+#include "ui/canvas/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+template <class... Form> std::string written(double value, Form... form) {
+    std::array<char, 400> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, form...).ptr;
+    return {text.data(), end};
+}
+
+std::string withTrueMinus(std::string text) {
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    if (!text.empty() && text.front() == '-') {
+        text.replace(0, 1, zero ? "" : "−");
+    }
+    return text;
+}
+
+} // namespace
+
+std::string fixed(double value, int digits) {
+    return withTrueMinus(written(value, std::chars_format::fixed, digits));
+}
+
+std::string decimal(double value, double step) {
+    const int digits = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+    return digits > 6 || step >= 1e7 ? significant(value, 6) : fixed(value, std::max(digits, 0));
+}
+
+std::string significant(double value, int digits) {
+    return withTrueMinus(written(value, std::chars_format::general, digits));
+}
+
+std::string exact(double value) {
+    return written(value);
+}
+
+std::string pointName(std::size_t index) {
+    return "P_" + std::to_string(index);
+}
+
+std::string plainPointName(std::size_t index) {
+    static constexpr std::array<const char*, 10> lowered = {"₀", "₁", "₂", "₃", "₄",
+                                                            "₅", "₆", "₇", "₈", "₉"};
+    std::string name = "P";
+    for (const char digit : std::to_string(index)) {
+        name += lowered[static_cast<std::size_t>(digit - '0')];
+    }
+    return name;
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,45 @@
+// Everything that can be asked for by name: one table, from which menus, shortcuts and the key list
+// are drawn.
+#pragma once
+
+#include "ui/session.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace splineloft::ui {
+
+/// A key with its modifiers.
+struct Shortcut {
+    Key key;
+    Modifiers modifiers = {};
+    bool operator==(const Shortcut&) const = default;
+};
+
+/// As people write it: "Ctrl+Shift+S".
+std::string nameOf(const Shortcut& shortcut);
+
+struct Command {
+    std::string id;   ///< e.g. "file.save"
+    std::string menu; ///< title of the menu it stands in; empty: in none
+    std::function<std::string(const Session&)> name;
+    std::vector<Shortcut> shortcuts = {};
+    std::function<void(Session&)> run = nullptr;
+    std::function<bool(const Session&)> possible = [](const Session&) { return true; };
+    /// For what is on or off.
+    std::function<bool(const Session&)> checked = nullptr;
+    bool startsGroup = false; ///< a line stands above it in the menu
+};
+
+std::span<const Command> commands();
+
+/// The command of that id. Throws std::out_of_range where there is none.
+const Command& commandNamed(std::string_view id);
+
+/// Runs the possible command of that shortcut, if there is one.
+bool runShortcut(Session& session, const Shortcut& shortcut);
+
+} // namespace splineloft::ui

@@ -1,0 +1,237 @@
+#include "ui/frame.h"
+
+#include "ui/canvas/illustrate.h"
+#include "ui/commands.h"
+#include "ui/imgui_compat.h"
+#include "ui/lettering.h"
+#include "ui/paint.h"
+#include "ui/panels/panels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+constexpr double fitMargin = 72; // design pixels around a fitted document
+
+/// Keys that belong to a text field while one is being edited.
+bool isForTextField(const Shortcut& shortcut) {
+    if (!shortcut.modifiers.control) {
+        return true;
+    }
+    constexpr std::array fieldKeys = {Key::a, Key::c, Key::v, Key::x, Key::y, Key::z};
+    return std::ranges::find(fieldKeys, shortcut.key) != fieldKeys.end();
+}
+
+bool isPress(const InputEvent& event) {
+    const auto* button = std::get_if<PointerButton>(&event);
+    const auto* key = std::get_if<KeyChanged>(&event);
+    return (button != nullptr && button->down) || (key != nullptr && key->down);
+}
+
+/// Keys, dropped files and the wish to close, which belong to no panel.
+void takeEvents(Session& session, std::span<const InputEvent> events) {
+    for (const auto& event : events) {
+        if (isPress(event)) {
+            session.notice.reset();
+        }
+        if (const auto* dropped = std::get_if<FilesDropped>(&event);
+            dropped && !dropped->paths.empty()) {
+            session.leave(GoToFile{dropped->paths.front()});
+        } else if (std::holds_alternative<CloseAsked>(event)) {
+            session.leave(Quit{});
+        } else if (const auto* key = std::get_if<KeyChanged>(&event); key && key->down) {
+            const Shortcut shortcut{key->key, key->modifiers};
+            const auto& io = ImGui::GetIO();
+            const bool typing = io.WantTextInput && isForTextField(shortcut);
+            const bool holding = ImGui::IsAnyItemActive() && !io.WantTextInput &&
+                                 std::holds_alternative<Idle>(session.gesture);
+            if (!typing && !holding && !session.dialog) {
+                runShortcut(session, shortcut);
+            }
+        }
+    }
+}
+
+/// Shows everything there is, if that was asked for.
+void fitIfAsked(Session& session, double scale) {
+    if (!session.view.fitPending || session.canvas.width <= 0) {
+        return;
+    }
+    session.view.fitPending = false;
+    std::optional<PlanePoint> low;
+    PlanePoint high;
+    for (std::size_t i = 0; i < session.studies.size(); ++i) {
+        const Study& study = session.studies[i];
+        auto places = controlPlaces(study.curve(), session.view.axes);
+        const auto& plane = study.plane(session.view.axes);
+        for (std::size_t k = 0; k < std::min<std::size_t>(plane.size(), 10'000); ++k) {
+            for (const double u : {0.25, 0.5, 0.75}) {
+                const Point p = plane.position({k, u});
+                places.push_back({p[0], p[1]});
+            }
+        }
+        for (const auto& p : places) {
+            low = low ? PlanePoint{std::min(low->x, p.x), std::min(low->y, p.y)} : p;
+            high = low == p && high == PlanePoint{}
+                       ? p
+                       : PlanePoint{std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+    }
+    session.view.camera =
+        low ? fitted(*low, high, session.canvas, fitMargin * scale) : Camera{{0, 0}, 80 * scale};
+}
+
+/// Moves the cursor along the active curve while it plays; from the end back to the start.
+void advance(Session& session, double seconds) {
+    auto& view = session.view;
+    const Study* study = session.active();
+    if (!view.playing || study == nullptr || study->pieces().empty()) {
+        view.playing = false;
+        return;
+    }
+    const double part = seconds / view.duration;
+    if (view.pace == Even::length) {
+        const auto& lengths = study->lengths();
+        const double at = lengths.upTo(view.cursor) + part * lengths.total();
+        view.cursor = lengths.spotAt(at >= lengths.total() ? 0 : at);
+    } else {
+        const auto& knots = study->pieces().knots();
+        const double at = knots.parameter(view.cursor) + part * (knots.end() - knots.start());
+        view.cursor = knots.locate(at >= knots.end() ? knots.start() : at);
+    }
+}
+
+/// The note at the joint under the pointer.
+void addJointNote(Scene& scene, const Session& session, double scale) {
+    const Study* study = session.active();
+    if (study == nullptr || !session.pointerOnCanvas || !study->measuredWhole()) {
+        return;
+    }
+    const Viewport viewport{session.view.camera, session.canvas};
+    if (const auto joint = jointNear(*study, session.view, viewport, session.pointer, 12 * scale)) {
+        const auto& found = study->traits().joints[*joint];
+        const Point p = study->plane(session.view.axes).position({found.after, 0});
+        scene.labels.insert(scene.labels.begin(), {describe(found),
+                                                   viewport.toScreen({p[0], p[1]}),
+                                                   18 * scale,
+                                                   {Role::jointNote},
+                                                   false,
+                                                   false,
+                                                   true});
+    }
+}
+
+Emphasis emphasisOf(const View& view) {
+    if (view.hovered && view.hovered->curve == view.activeCurve) {
+        return {view.hovered->index};
+    }
+    return view.selection.size() == 1 ? Emphasis{view.selection.begin()->index} : Emphasis{};
+}
+
+/// Draws a scene: its picture for the renderer, its labels through Dear ImGui beneath the panels.
+void show(FrameResult& result, const Scene& scene, const Theme& theme, Colour background,
+          double scale) {
+    result.pictures.push_back(paint(scene, theme, background, scale));
+    drawLabels(*ImGui::GetBackgroundDrawList(), scene, theme, background, scale);
+}
+
+void showCanvas(FrameResult& result, const Session& session, const Theme& theme, double scale) {
+    const Situation situation{session.history.settled(),
+                              session.history.live(),
+                              session.studies,
+                              {session.view.camera, session.canvas},
+                              scale};
+    Scene scene = illustrate(session.view, session.gesture, situation);
+    addJointNote(scene, session, scale);
+    show(result, scene, theme, theme.surfaces.canvas, scale);
+}
+
+void showPlots(FrameResult& result, const Session& session, const StripFrames& frames,
+               const ScreenRect& strip, const Theme& theme, double scale) {
+    const Study* study = session.active();
+    if (study == nullptr || study->blends() == nullptr || study->pieces().empty()) {
+        return;
+    }
+    const auto& view = session.view;
+    Scene scene;
+    scene.frame = strip;
+    drawBasis(scene, wholeRangeFrame(*study, frames.whole), *study, view.cursor, emphasisOf(view),
+              scale);
+    drawSegments(scene, segmentFrame(*study, frames.segments), *study, view.cursor,
+                 emphasisOf(view), scale);
+    show(result, scene, theme, theme.surfaces.panel, scale);
+}
+
+PointerShape pointerFor(const Session& session) {
+    if (session.pointerOnCanvas) {
+        const bool pans = std::holds_alternative<Panning>(session.gesture);
+        return pans                                         ? PointerShape::move
+               : session.view.tool == Tool::pen             ? PointerShape::cross
+               : session.view.hovered || session.view.ghost ? PointerShape::hand
+                                                            : PointerShape::arrow;
+    }
+    switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput: return PointerShape::text;
+    case ImGuiMouseCursor_ResizeEW: return PointerShape::resizeAcross;
+    case ImGuiMouseCursor_ResizeNS: return PointerShape::resizeAlong;
+    case ImGuiMouseCursor_Hand: return PointerShape::hand;
+    default: return PointerShape::arrow;
+    }
+}
+
+void beginImGui(const Screen& screen, std::span<const InputEvent> events, double seconds) {
+    auto& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(screen.width), static_cast<float>(screen.height)};
+    io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
+    for (const auto& event : events) {
+        feed(io, event);
+    }
+    ImGui::NewFrame();
+}
+
+} // namespace
+
+FrameResult runFrame(Session& session, const Screen& screen, std::span<const InputEvent> events,
+                     double seconds) {
+    const Theme& theme = themeOf(session.view.theme);
+    applyStyle(theme, screen.scale);
+    beginImGui(screen, events, seconds);
+    takeEvents(session, events);
+    advance(session, seconds);
+
+    const double strip = session.view.layers.basis ? session.view.strip : 0;
+    const auto layout = layOut(screen.width, screen.height, screen.scale, strip);
+    const auto stage = [&](const ScreenRect& rect) { return Stage{theme, screen.scale, rect}; };
+    drawCanvas(session, stage(layout.canvas), events);
+    drawToolRail(session, stage(layout.tools));
+    const auto frames = drawStrip(session, session.view, stage(layout.strip));
+    if (auto edit = drawInspector(session, session.view, stage(layout.inspector))) {
+        const bool cancels = edit->phase == Phase::cancel;
+        session.apply(std::move(*edit));
+        if (cancels) {
+            releaseActiveWidget();
+        }
+    }
+    drawStatus(session, stage(layout.status));
+    drawMenuBar(session, stage(layout.menu));
+    drawDialog(session, stage({0, 0, static_cast<double>(screen.width),
+                               static_cast<double>(screen.height)}));
+    fitIfAsked(session, screen.scale);
+
+    FrameResult result;
+    result.background = theme.surfaces.panel;
+    showCanvas(result, session, theme, screen.scale);
+    if (frames) {
+        showPlots(result, session, *frames, layout.strip, theme, screen.scale);
+    }
+    ImGui::Render();
+    result.animating = session.view.playing;
+    result.pointer = pointerFor(session);
+    result.title = session.fileName() + (session.unsaved() ? " ●" : "") + " - Splineloft";
+    return result;
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,166 @@
+#include "ui/imgui_compat.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace splineloft::ui {
+namespace {
+
+#if IMGUI_VERSION_NUM >= 18700
+
+constexpr std::array keys = {std::pair{Key::tab, ImGuiKey_Tab},
+                             std::pair{Key::left, ImGuiKey_LeftArrow},
+                             std::pair{Key::right, ImGuiKey_RightArrow},
+                             std::pair{Key::up, ImGuiKey_UpArrow},
+                             std::pair{Key::down, ImGuiKey_DownArrow},
+                             std::pair{Key::pageUp, ImGuiKey_PageUp},
+                             std::pair{Key::pageDown, ImGuiKey_PageDown},
+                             std::pair{Key::home, ImGuiKey_Home},
+                             std::pair{Key::end, ImGuiKey_End},
+                             std::pair{Key::insert, ImGuiKey_Insert},
+                             std::pair{Key::del, ImGuiKey_Delete},
+                             std::pair{Key::backspace, ImGuiKey_Backspace},
+                             std::pair{Key::space, ImGuiKey_Space},
+                             std::pair{Key::enter, ImGuiKey_Enter},
+                             std::pair{Key::escape, ImGuiKey_Escape},
+                             std::pair{Key::keypadEnter, ImGuiKey_KeypadEnter},
+                             std::pair{Key::a, ImGuiKey_A},
+                             std::pair{Key::c, ImGuiKey_C},
+                             std::pair{Key::v, ImGuiKey_V},
+                             std::pair{Key::x, ImGuiKey_X},
+                             std::pair{Key::y, ImGuiKey_Y},
+                             std::pair{Key::z, ImGuiKey_Z}};
+
+void feedKey(ImGuiIO& io, const KeyChanged& change) {
+    io.AddKeyEvent(ImGuiMod_Ctrl, change.modifiers.control);
+    io.AddKeyEvent(ImGuiMod_Shift, change.modifiers.shift);
+    io.AddKeyEvent(ImGuiMod_Alt, change.modifiers.alt);
+    for (const auto& [ours, theirs] : keys) {
+        if (ours == change.key) {
+            io.AddKeyEvent(theirs, change.down);
+        }
+    }
+}
+
+void feedPointer(ImGuiIO& io, double x, double y) {
+    io.AddMousePosEvent(static_cast<float>(x), static_cast<float>(y));
+}
+
+void feedButton(ImGuiIO& io, int button, bool down) {
+    io.AddMouseButtonEvent(button, down);
+}
+
+void feedWheel(ImGuiIO& io, double dx, double dy) {
+    io.AddMouseWheelEvent(static_cast<float>(dx), static_cast<float>(dy));
+}
+
+void feedFocus(ImGuiIO& io, bool focused) {
+    io.AddFocusEvent(focused);
+}
+
+#else
+
+constexpr std::array keys = {std::pair{ImGuiKey_Tab, Key::tab},
+                             std::pair{ImGuiKey_LeftArrow, Key::left},
+                             std::pair{ImGuiKey_RightArrow, Key::right},
+                             std::pair{ImGuiKey_UpArrow, Key::up},
+                             std::pair{ImGuiKey_DownArrow, Key::down},
+                             std::pair{ImGuiKey_PageUp, Key::pageUp},
+                             std::pair{ImGuiKey_PageDown, Key::pageDown},
+                             std::pair{ImGuiKey_Home, Key::home},
+                             std::pair{ImGuiKey_End, Key::end},
+                             std::pair{ImGuiKey_Insert, Key::insert},
+                             std::pair{ImGuiKey_Delete, Key::del},
+                             std::pair{ImGuiKey_Backspace, Key::backspace},
+                             std::pair{ImGuiKey_Space, Key::space},
+                             std::pair{ImGuiKey_Enter, Key::enter},
+                             std::pair{ImGuiKey_Escape, Key::escape},
+                             std::pair{ImGuiKey_KeyPadEnter, Key::keypadEnter},
+                             std::pair{ImGuiKey_A, Key::a},
+                             std::pair{ImGuiKey_C, Key::c},
+                             std::pair{ImGuiKey_V, Key::v},
+                             std::pair{ImGuiKey_X, Key::x},
+                             std::pair{ImGuiKey_Y, Key::y},
+                             std::pair{ImGuiKey_Z, Key::z}};
+
+void feedKey(ImGuiIO& io, const KeyChanged& change) {
+    io.KeyCtrl = change.modifiers.control;
+    io.KeyShift = change.modifiers.shift;
+    io.KeyAlt = change.modifiers.alt;
+    const auto code = static_cast<std::size_t>(change.key);
+    if (code < std::size(io.KeysDown)) {
+        io.KeysDown[code] = change.down;
+    }
+}
+
+void feedPointer(ImGuiIO& io, double x, double y) {
+    io.MousePos = {static_cast<float>(x), static_cast<float>(y)};
+}
+
+void feedButton(ImGuiIO& io, int button, bool down) {
+    io.MouseDown[button] = down;
+}
+
+void feedWheel(ImGuiIO& io, double dx, double dy) {
+    io.MouseWheelH += static_cast<float>(dx);
+    io.MouseWheel += static_cast<float>(dy);
+}
+
+void feedFocus(ImGuiIO& io, bool focused) {
+    if (!focused) {
+        std::ranges::fill(io.KeysDown, false);
+        io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
+    }
+}
+
+#endif
+
+} // namespace
+
+void feed(ImGuiIO& io, const InputEvent& event) {
+    if (const auto* moved = std::get_if<PointerMoved>(&event)) {
+        feedPointer(io, moved->x, moved->y);
+    } else if (const auto* button = std::get_if<PointerButton>(&event)) {
+        feedButton(io, static_cast<int>(button->button), button->down);
+    } else if (const auto* wheel = std::get_if<WheelTurned>(&event)) {
+        feedWheel(io, wheel->dx, wheel->dy);
+    } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
+        feedKey(io, *key);
+    } else if (const auto* text = std::get_if<TextTyped>(&event)) {
+        io.AddInputCharacter(static_cast<unsigned>(text->character));
+    } else if (const auto* focus = std::get_if<FocusChanged>(&event)) {
+        feedFocus(io, focus->focused);
+    }
+}
+
+void mapKeys([[maybe_unused]] ImGuiIO& io) {
+#if IMGUI_VERSION_NUM < 18700
+    for (const auto& [theirs, ours] : keys) {
+        io.KeyMap[theirs] = static_cast<int>(ours);
+    }
+#endif
+}
+
+void releaseActiveWidget() {
+    ImGui::ClearActiveID();
+}
+
+const ImWchar* glyphRanges() {
+    static constexpr std::array<ImWchar, 19> ranges = {
+        0x0020, 0x024F, // Latin
+        0x0370, 0x03FF, // Greek
+        0x2010, 0x2044, // dashes, quotes, dots, primes
+        0x2070, 0x209F, // super- and subscripts
+        0x2150, 0x21FF, // fractions, arrows
+        0x2200, 0x22FF, // mathematical operators
+        0x2300, 0x23FF, // technical signs
+        0x25A0, 0x26FF, // shapes and symbols
+        0x2700, 0x27BF, // dingbats
+        0};
+    return ranges.data();
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,24 @@
+// Every difference between the versions of Dear ImGui, 1.86 to 1.92, in one place.
+#pragma once
+
+#include "ui/input.h"
+
+#include <imgui.h>
+
+namespace splineloft::ui {
+
+/// Tells Dear ImGui of one event. Before 1.87 it had no queue of its own; our InputQueue does that
+/// work, and here the event just becomes the present state.
+void feed(ImGuiIO& io, const InputEvent& event);
+
+/// Maps its navigation and editing keys to ours, where it does not know keys by name.
+void mapKeys(ImGuiIO& io);
+
+/// Forgets which widget is being held, as Escape in mid-drag demands.
+void releaseActiveWidget();
+
+/// Ranges of characters that the interface shows: Latin, Greek, sub- and superscripts, arrows,
+/// mathematical signs and shapes. Versions from 1.92 on load glyphs as they are needed.
+const ImWchar* glyphRanges();
+
+} // namespace splineloft::ui

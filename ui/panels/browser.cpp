@@ -1,0 +1,166 @@
+#include "ui/panels/browser.h"
+
+#include "ui/widgets.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace splineloft::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Entry {
+    std::string name;
+    bool isFolder = false;
+};
+
+bool isShown(const fs::directory_entry& entry, FilePurpose purpose) {
+    const auto name = entry.path().filename().string();
+    std::error_code failed;
+    if (name.empty() || name.front() == '.') {
+        return false;
+    }
+    const auto ending = entry.path().extension();
+    return entry.is_directory(failed) || ending == ".json" ||
+           (purpose == FilePurpose::exportSamples && ending == ".csv");
+}
+
+/// Folders first, then files, each by name. Nothing where the folder cannot be read.
+std::vector<Entry> entriesOf(const FileBrowser& browser) {
+    std::vector<Entry> entries;
+    std::error_code failed;
+    for (fs::directory_iterator at(browser.folder, failed), end; !failed && at != end;
+         at.increment(failed)) {
+        if (isShown(*at, browser.purpose)) {
+            std::error_code ignored;
+            entries.push_back({at->path().filename().string(), at->is_directory(ignored)});
+        }
+    }
+    std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+        return a.isFolder != b.isFolder ? a.isFolder : a.name < b.name;
+    });
+    return entries;
+}
+
+Request requestFor(const FileBrowser& browser, const fs::path& path) {
+    switch (browser.purpose) {
+    case FilePurpose::open: return OpenFile{path.string()};
+    case FilePurpose::save: return SaveFile{path.string()};
+    case FilePurpose::exportSamples: break;
+    }
+    return ExportSamples{path.string(), browser.even, browser.count};
+}
+
+/// The chosen file, with the ending that its purpose needs.
+fs::path chosenPath(const FileBrowser& browser) {
+    fs::path path = browser.folder / browser.name;
+    if (!path.has_extension() && browser.purpose != FilePurpose::open) {
+        path += browser.purpose == FilePurpose::save ? ".json" : ".csv";
+    }
+    return path;
+}
+
+std::optional<Request> accept(FileBrowser& browser) {
+    if (browser.name.empty()) {
+        return std::nullopt;
+    }
+    const auto path = chosenPath(browser);
+    std::error_code failed;
+    if (fs::is_directory(path, failed)) {
+        browser.folder = fs::canonical(path, failed);
+        browser.name.clear();
+        return std::nullopt;
+    }
+    if (browser.purpose != FilePurpose::open && fs::exists(path, failed) &&
+        !browser.overwriteAsked) {
+        browser.overwriteAsked = true;
+        return std::nullopt;
+    }
+    return requestFor(browser, path);
+}
+
+/// The list; a click names a file or enters a folder, a double click takes the file.
+std::optional<Request> drawList(FileBrowser& browser, const Stage& window) {
+    std::optional<Request> request;
+    const auto height =
+        std::min(window.px(320), static_cast<float>(window.rect.height) - window.px(280));
+    if (ImGui::BeginChild("files", {window.px(560), height}, true)) {
+        if (browser.folder.has_parent_path() && ImGui::Selectable("↑  ..", false)) {
+            browser.folder = browser.folder.parent_path();
+        }
+        for (const auto& entry : entriesOf(browser)) {
+            const auto label = (entry.isFolder ? "▸  " : "    ") + entry.name;
+            if (ImGui::Selectable(label.c_str(), entry.name == browser.name,
+                                  ImGuiSelectableFlags_AllowDoubleClick)) {
+                browser.overwriteAsked = false;
+                if (entry.isFolder) {
+                    browser.folder /= entry.name;
+                } else {
+                    browser.name = entry.name;
+                    request = ImGui::IsMouseDoubleClicked(0) ? accept(browser) : std::nullopt;
+                }
+            }
+        }
+    }
+    ImGui::EndChild();
+    return request;
+}
+
+/// What the samples are even in, and how many.
+void drawSampleChoice(FileBrowser& browser, const Stage& window) {
+    static constexpr std::array<std::string_view, 2> kinds = {"even in length", "even in u"};
+    if (const auto chosen =
+            choiceOf("even", kinds, browser.even == Even::length ? 0 : 1, window, window.px(260))) {
+        browser.even = *chosen == 0 ? Even::length : Even::parameter;
+    }
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(window.px(130));
+    ImGui::InputInt("samples", &browser.count, 0);
+    browser.count = std::clamp(browser.count, 2, 1'000'000);
+    quietText("The ending .csv or .json decides the format.", window);
+}
+
+} // namespace
+
+std::optional<Request> drawBrowser(FileBrowser& browser, const Stage& window) {
+    ImGui::TextDisabled("%s", browser.folder.string().c_str());
+    auto request = drawList(browser, window);
+    ImGui::SetNextItemWidth(window.px(560));
+    if (ImGui::IsWindowAppearing()) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    if (ImGui::InputText("##name", &browser.name,
+                         ImGuiInputTextFlags_EnterReturnsTrue |
+                             ImGuiInputTextFlags_AutoSelectAll)) {
+        request = accept(browser);
+    }
+    if (ImGui::IsItemEdited()) {
+        browser.overwriteAsked = false;
+    }
+    if (browser.purpose == FilePurpose::exportSamples) {
+        drawSampleChoice(browser, window);
+    }
+    if (browser.overwriteAsked) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(window.theme.surfaces.warning));
+        ImGui::Text("“%s” is there already.", chosenPath(browser).filename().string().c_str());
+        ImGui::PopStyleColor();
+    }
+    const char* verb = browser.overwriteAsked                 ? "Replace it"
+                       : browser.purpose == FilePurpose::open ? "Open"
+                       : browser.purpose == FilePurpose::save ? "Save"
+                                                              : "Export";
+    const ImVec2 size{window.px(128), 0};
+    if (ImGui::Button(verb, size)) {
+        request = accept(browser);
+    }
+    ImGui::SameLine();
+    browser.closed = ImGui::Button("Cancel", size);
+    return request;
+}
+
+} // namespace splineloft::ui

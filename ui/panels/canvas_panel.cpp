@@ -1,0 +1,84 @@
+#include "ui/panels/panels.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+constexpr double zoomPerNotch = 1.15;
+
+/// What a raw event means on the canvas, if anything.
+std::optional<PointerEvent> pointerEvent(const InputEvent& event, ScreenPoint at, Modifiers held) {
+    if (const auto* moved = std::get_if<PointerMoved>(&event)) {
+        return PointerEvent{PointerEvent::Kind::move, {moved->x, moved->y}, Button::left, held};
+    }
+    if (const auto* button = std::get_if<PointerButton>(&event)) {
+        PointerEvent result{button->down ? PointerEvent::Kind::press : PointerEvent::Kind::release,
+                            at, button->button, button->modifiers};
+        result.clicks = button->down && ImGui::IsMouseDoubleClicked(0) ? 2 : 1;
+        return result;
+    }
+    const auto* focus = std::get_if<FocusChanged>(&event);
+    if (focus != nullptr && !focus->focused) { // the release will never come
+        return PointerEvent{PointerEvent::Kind::cancel, at, Button::left, held};
+    }
+    return std::nullopt;
+}
+
+void drive(Session& session, const PointerEvent& event, double scale) {
+    const Situation situation{session.history.settled(),
+                              session.history.live(),
+                              session.studies,
+                              {session.view.camera, session.canvas},
+                              scale};
+    Reaction reaction = react(session.gesture, session.view, event, situation);
+    session.gesture = std::move(reaction.gesture);
+    session.view = std::move(reaction.view);
+    if (reaction.edit) {
+        session.apply(std::move(*reaction.edit));
+    }
+}
+
+Modifiers heldModifiers() {
+    const auto& io = ImGui::GetIO();
+    return {io.KeyShift, io.KeyCtrl, io.KeyAlt};
+}
+
+} // namespace
+
+void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent> events) {
+    session.canvas = stage.rect;
+    beginPanel("canvas", stage, true);
+    ImGui::SetCursorPos({0, 0});
+    ImGui::InvisibleButton(
+        "surface", {static_cast<float>(stage.rect.width), static_cast<float>(stage.rect.height)},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+            ImGuiButtonFlags_MouseButtonRight);
+    const bool over =
+        ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && !session.dialog;
+    ImGui::End();
+
+    session.pointerOnCanvas = over;
+    for (const auto& event : events) {
+        if (const auto* moved = std::get_if<PointerMoved>(&event)) {
+            session.pointer = {moved->x, moved->y};
+        }
+        const bool busy = !std::holds_alternative<Idle>(session.gesture);
+        const auto* wheel = std::get_if<WheelTurned>(&event);
+        if (wheel != nullptr && over) {
+            session.view.camera = zoomed({session.view.camera, session.canvas}, session.pointer,
+                                         std::pow(zoomPerNotch, wheel->dy));
+        } else if (const auto pointer = pointerEvent(event, session.pointer, heldModifiers());
+                   pointer && (over || busy)) {
+            drive(session, *pointer, stage.scale);
+        }
+    }
+    if (!over && std::holds_alternative<Idle>(session.gesture)) {
+        session.view.hovered.reset();
+        session.view.ghost.reset();
+    }
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,273 @@
+#include "core/document/edits.h"
+#include "core/spline/catalog.h"
+#include "ui/canvas/wording.h"
+#include "ui/lettering.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace splineloft::ui {
+namespace {
+
+/// One inspector being drawn; collects what the person did.
+class Inspector {
+  public:
+    Inspector(const Session& session, View& view, const Stage& stage)
+        : session_(session), view_(view), stage_(stage) {}
+
+    std::optional<Edit> edit() { return std::move(edit_); }
+
+    void curves() {
+        const auto& all = session_.document().curves;
+        if (all.size() < 2) {
+            return;
+        }
+        heading("Curves");
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            const auto label = all[i]->name + "##curve";
+            if (ImGui::Selectable(label.c_str(), i == view_.activeCurve)) {
+                view_.activeCurve = i;
+                view_.selection.clear();
+                view_.cursor = {};
+            }
+            ImGui::PopID();
+        }
+        ImGui::Spacing();
+    }
+
+    void family(const Study& study) {
+        heading("Family");
+        const auto& now = study.family();
+        const std::string name(now.name);
+        ImGui::PushFont(font(Face::bold));
+        ImGui::SetNextItemWidth(-1);
+        const bool open =
+            ImGui::BeginCombo("##family", name.c_str(), ImGuiComboFlags_HeightLargest);
+        ImGui::PopFont();
+        if (open) {
+            for (const auto& family : catalog()) {
+                const std::string option(family.name);
+                if (ImGui::Selectable(option.c_str(), family.id == now.id)) {
+                    commit(setFamily(settled(), view_.activeCurve, family.id), "Draw as " + option);
+                }
+                explain(std::string(family.summary));
+            }
+            ImGui::EndCombo();
+        }
+        quietText(std::string(now.summary) + "\n" + std::string(now.source), stage_);
+        ImGui::Spacing();
+    }
+
+    void parameters(const Study& study) {
+        const auto values = parametersOf(study.curve());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto& parameter = study.family().parameters[i];
+            const auto turned = parameterSlider(parameter, values[i], stage_);
+            if (turned) {
+                edit_ =
+                    Edit{setParameter(settled(), view_.activeCurve, parameter.key, turned->value),
+                         turned->phase, "Set " + std::string(parameter.label)};
+            }
+            ImGui::Spacing();
+        }
+    }
+
+    void ends(const Study& study) {
+        const Curve& curve = study.curve();
+        const auto& accepted = study.family().ends;
+        if (accepted.size() > 1 && !curve.closed) {
+            std::vector<std::string_view> names;
+            for (const auto end : accepted) {
+                names.push_back(nameOf(end));
+            }
+            const auto chosen = std::ranges::find(accepted, curve.ends) - accepted.begin();
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextUnformatted("Ends");
+            ImGui::PushFont(font(Face::small));
+            ImGui::SameLine(stage_.px(62));
+            const auto clicked = choiceOf("ends", names, static_cast<int>(chosen), stage_,
+                                          ImGui::GetContentRegionAvail().x);
+            ImGui::PopFont();
+            if (clicked) {
+                const auto index = static_cast<std::size_t>(*clicked);
+                commit(setEnds(settled(), view_.activeCurve, accepted[index]),
+                       "Ends " + std::string(names[index]));
+            }
+        }
+        bool closed = curve.closed;
+        if (!study.family().closable) {
+            ImGui::TextDisabled("This family is always open.");
+        } else if (ImGui::Checkbox("Closed", &closed)) {
+            commit(setClosed(settled(), view_.activeCurve, closed),
+                   closed ? "Close the curve" : "Open the curve");
+        }
+        ImGui::Spacing();
+    }
+
+    void traits(const Study& study) {
+        if (study.pieces().empty()) {
+            return;
+        }
+        const auto& t = study.traits();
+        static constexpr std::array<const char*, 4> orders = {"⁻¹", "⁰", "¹", "²"};
+        const auto order = [](int n) { return orders[static_cast<std::size_t>(n + 1)]; };
+        ImGui::Dummy({0, 0});
+        chip("through points", t.throughAll, stage_);
+        chip("in hull", t.inHull, stage_);
+        chip(t.global
+                 ? "every point moves all"
+                 : "moves ≤ " + std::to_string(t.reach) + (t.reach == 1 ? " piece" : " pieces"),
+             true, stage_);
+        if (!t.joints.empty()) {
+            chip("C" + std::string(order(t.c)), true, stage_);
+            chip("G" + std::string(order(t.g)), true, stage_);
+        }
+        if (!study.measuredWhole()) {
+            quietText("Measured on the first points of many.", stage_);
+        }
+        joints(t);
+        ImGui::Spacing();
+    }
+
+    void points(const Study& study) {
+        const Curve& curve = study.curve();
+        const int dimension = curve.points.dimension();
+        heading("Points");
+        if (!ImGui::BeginTable("points", dimension + 1,
+                               ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_RowBg)) {
+            return;
+        }
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, stage_.px(50));
+        for (const auto& name : curve.coordinates) {
+            ImGui::TableSetupColumn(name.c_str());
+        }
+        header(curve);
+        ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
+        ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {stage_.px(4), stage_.px(2)});
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(curve.points.size() + curve.tangents.size()));
+        while (clipper.Step()) {
+            for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+                const auto index = static_cast<std::size_t>(row);
+                const auto n = curve.points.size();
+                pointRow(curve, index < n ? PointId{view_.activeCurve, index, Part::point}
+                                          : PointId{view_.activeCurve, index - n, Part::tangent});
+            }
+        }
+        ImGui::PopStyleVar(2);
+        ImGui::PopStyleColor();
+        ImGui::EndTable();
+    }
+
+  private:
+    const Document& settled() const { return session_.history.settled(); }
+
+    void commit(Document next, std::string label) {
+        edit_ = Edit{std::move(next), Phase::commit, std::move(label)};
+    }
+
+    void heading(const char* text) { quietText(text, stage_); }
+
+    /// The continuity of each joint, in words; the one the cursor is nearest to stands out.
+    void joints(const Traits& t) {
+        if (t.joints.empty() ||
+            !ImGui::TreeNodeEx("Joints", ImGuiTreeNodeFlags_DefaultOpen |
+                                             ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                                             ImGuiTreeNodeFlags_FramePadding)) {
+            return;
+        }
+        const auto most = std::min<std::size_t>(t.joints.size(), 64);
+        std::string before;
+        for (std::size_t i = 0; i < most;) {
+            // Joints in a row that are alike share a line.
+            std::size_t last = i;
+            const auto words = describe(t.joints[i]);
+            while (last + 1 < most && describe(t.joints[last + 1]) == words) {
+                ++last;
+            }
+            const auto from = significant(t.joints[i].t, 4);
+            const auto to = significant(t.joints[last].t, 4);
+            quietText("t = " + from + (last > i ? " … " + to : "") + ":  " + words, stage_);
+            i = last + 1;
+        }
+    }
+
+    void header(const Curve& curve) {
+        ImGui::TableNextRow();
+        for (std::size_t c = 0; c < curve.coordinates.size(); ++c) {
+            ImGui::TableSetColumnIndex(static_cast<int>(c) + 1);
+            ImGui::TextDisabled(" %s", curve.coordinates[c].c_str());
+        }
+    }
+
+    void pointRow(const Curve& curve, const PointId& id) {
+        const bool tangent = id.part == Part::tangent;
+        const auto& table = tangent ? curve.tangents : curve.points;
+        ImGui::TableNextRow();
+        ImGui::TableSetColumnIndex(0);
+        ImGui::PushID(tangent ? 1 : 0);
+        ImGui::PushID(static_cast<int>(id.index));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        if (ImGui::Selectable("##row", view_.selection.contains(id), 0, {0, stage_.px(20)})) {
+            if (!ImGui::GetIO().KeyShift) {
+                view_.selection.clear();
+            }
+            view_.selection.insert(id);
+        }
+        auto& list = *ImGui::GetWindowDrawList();
+        const Colour colour = colourOf(stage_.theme, {Role::control, static_cast<int>(id.index)});
+        list.AddCircleFilled({at.x + stage_.px(7), at.y + stage_.px(10)}, stage_.px(5),
+                             packed(colour));
+        drawMath(list, {at.x + stage_.px(18), at.y + stage_.px(1)}, stage_.theme.surfaces.text,
+                 (tangent ? "T_" : "P_") + std::to_string(id.index), Face::regular);
+        for (int c = 0; c < table.dimension(); ++c) {
+            ImGui::TableSetColumnIndex(c + 1);
+            ImGui::PushID(c);
+            Point place = table.at(id.index);
+            if (const auto entered = numberField("##value", place[c], -1)) {
+                place[c] = *entered;
+                commit(setPoint(settled(), id, place),
+                       "Set " + curve.coordinates[static_cast<std::size_t>(c)] + " of " +
+                           plainPointName(id.index));
+            }
+            ImGui::PopID();
+        }
+        ImGui::PopID();
+        ImGui::PopID();
+    }
+
+    const Session& session_;
+    View& view_;
+    const Stage& stage_;
+    std::optional<Edit> edit_;
+};
+
+} // namespace
+
+std::optional<Edit> drawInspector(const Session& session, View& view, const Stage& stage) {
+    beginPanel("inspector", stage);
+    Inspector inspector(session, view, stage);
+    if (const Study* study = session.active()) {
+        inspector.curves();
+        inspector.family(*study);
+        inspector.parameters(*study);
+        inspector.ends(*study);
+        inspector.traits(*study);
+        inspector.points(*study);
+    } else {
+        quietText(
+            "No curve yet. Press P and click on the canvas to lay down points, or open a file "
+            "with Ctrl+O.",
+            stage);
+    }
+    ImGui::End();
+    return inspector.edit();
+}
+
+} // namespace splineloft::ui

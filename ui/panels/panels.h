@@ -1,0 +1,41 @@
+// The panels: each draws itself on its stage from the session as it is, and answers with what the
+// person did: an edit of the document, changes of the view, a command.
+#pragma once
+
+#include "ui/canvas/plot.h"
+#include "ui/session.h"
+#include "ui/stage.h"
+
+#include <optional>
+
+namespace splineloft::ui {
+
+/// Menus drawn from the table of commands, and the name of the file.
+void drawMenuBar(Session& session, const Stage& stage);
+
+/// Buttons for the tools and layers, each a command.
+void drawToolRail(Session& session, const Stage& stage);
+
+/// Curves, family, parameters, ends, traits, joints, points.
+std::optional<Edit> drawInspector(const Session& session, View& view, const Stage& stage);
+
+/// The strip of plots: its controls and values. Returns where the two plots are to be drawn.
+struct StripFrames {
+    ScreenRect whole, segments;
+};
+std::optional<StripFrames> drawStrip(const Session& session, View& view, const Stage& stage);
+
+/// What the mouse would do now, or the latest message; where the pointer is; length; zoom.
+void drawStatus(const Session& session, const Stage& stage);
+
+/// The canvas as a place for the hand: takes the frame's events, drives the gesture.
+void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent> events);
+
+/// The dialog that stands in front, if one does.
+void drawDialog(Session& session, const Stage& window);
+
+/// Begins a window that fills a stage and cannot be moved; `bare` leaves its background open.
+/// Ends with ImGui::End().
+void beginPanel(const char* name, const Stage& stage, bool bare = false);
+
+} // namespace splineloft::ui

@@ -1,0 +1,74 @@
+#include "ui/canvas/hints.h"
+#include "ui/canvas/wording.h"
+#include "ui/panels/panels.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace splineloft::ui {
+namespace {
+
+// A unit is this many design pixels at 100 %.
+constexpr double fullSize = 80;
+
+/// Pointer, length and zoom.
+std::string figures(const Session& session, double scale) {
+    std::string text;
+    const auto& camera = session.view.camera;
+    if (session.pointerOnCanvas) {
+        const PlanePoint at = Viewport{camera, session.canvas}.toPlane(session.pointer);
+        const double pixel = 1 / camera.pixelsPerUnit;
+        text += "x " + decimal(at.x, pixel) + "  y " + decimal(at.y, pixel) + "  ·  ";
+    }
+    if (const Study* study = session.active(); study != nullptr && study->measuredWhole()) {
+        text += "length " + significant(study->lengths().total(), 6) + "  ·  ";
+    }
+    return text + significant(std::round(100 * camera.pixelsPerUnit / (fullSize * scale)), 6) +
+           " %";
+}
+
+} // namespace
+
+void drawStatus(const Session& session, const Stage& stage) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(14), stage.px(4)});
+    beginPanel("status", stage);
+    ImGui::PopStyleVar();
+    const auto& s = stage.theme.surfaces;
+    const auto& notice = session.notice;
+    const auto text =
+        notice ? notice->text : hintFor(session.gesture, session.view, session.document());
+    const auto right = figures(session, stage.scale);
+    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    const float room = static_cast<float>(stage.rect.width) - width - stage.px(48);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushClipRect(at, {at.x + room, at.y + stage.px(24)}, true);
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(!notice             ? s.quiet
+                                                : notice->isProblem ? s.warning
+                                                                    : s.text));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopClipRect();
+    if (ImGui::CalcTextSize(text.c_str()).x > room && ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", text.c_str());
+    }
+    ImGui::SameLine(static_cast<float>(stage.rect.width) - width - stage.px(14));
+    ImGui::TextDisabled("%s", right.c_str());
+    ImGui::End();
+}
+
+void beginPanel(const char* name, const Stage& stage, bool bare) {
+    ImGui::SetNextWindowPos(
+        {static_cast<float>(stage.rect.left), static_cast<float>(stage.rect.top)});
+    ImGui::SetNextWindowSize(
+        {static_cast<float>(stage.rect.width), static_cast<float>(stage.rect.height)});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavInputs |
+                     (bare ? ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                                 ImGuiWindowFlags_NoScrollWithMouse
+                           : 0));
+}
+
+} // namespace splineloft::ui

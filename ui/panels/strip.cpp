@@ -1,0 +1,158 @@
+#include "ui/canvas/wording.h"
+#include "ui/lettering.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace splineloft::ui {
+namespace {
+
+// Design pixels.
+constexpr double headHeight = 40;
+constexpr double footHeight = 26;
+constexpr double weightsWidth = 190;
+constexpr double segmentsWidth = 210;
+constexpr double gap = 44;
+
+/// Play and pause, pace, duration, beads.
+void drawTransport(View& view, const Stage& stage) {
+    if (ImGui::Button(view.playing ? "❚❚ Pause" : "▶ Play", {stage.px(92), 0})) {
+        view.playing = !view.playing;
+    }
+    explain("Plays u along the curve (Space)");
+    ImGui::SameLine(0, stage.px(14));
+    static constexpr std::array<std::string_view, 2> paces = {"even in length", "even in u"};
+    const int pace = view.pace == Even::length ? 0 : 1;
+    if (const auto chosen = choiceOf("pace", paces, pace, stage, stage.px(232))) {
+        view.pace = *chosen == 0 ? Even::length : Even::parameter;
+    }
+    ImGui::SameLine(0, stage.px(14));
+    ImGui::Checkbox("beads", &view.layers.beads);
+    if (view.layers.beads) {
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(stage.px(80));
+        ImGui::SliderInt("##count", &view.beads, 2, 100, "%d");
+        view.beads = std::clamp(view.beads, 2, 1000);
+    }
+    ImGui::SameLine(0, stage.px(14));
+    auto seconds = static_cast<float>(view.duration);
+    ImGui::SetNextItemWidth(stage.px(80));
+    if (ImGui::SliderFloat("##duration", &seconds, 1, 20, "%.1f s")) {
+        view.duration = std::clamp(static_cast<double>(seconds), 0.1, 600.0);
+    }
+    explain("Time from start to end");
+}
+
+/// Each control's share at the cursor, and their sum.
+void drawWeights(const Study& study, const View& view, const Stage& stage, const ScreenRect& rect) {
+    auto& list = *ImGui::GetWindowDrawList();
+    const auto& s = stage.theme.surfaces;
+    const double line = 21 * stage.scale;
+    double y = rect.top;
+    const auto row = [&](const std::string& name, double weight, Colour colour) {
+        const auto value = fixed(weight, 4);
+        drawMath(list, {rect.left + 18 * stage.scale, y}, colour, name, Face::regular);
+        drawMath(list, {rect.right() - mathWidth(value, Face::regular), y}, colour, value,
+                 Face::regular);
+        y += line;
+    };
+    drawMath(list, {rect.left, y}, s.quiet, "weights at u = " + fixed(view.cursor.u, 3),
+             Face::small);
+    y += line;
+    const Blend basis = study.blends()->basis(view.cursor);
+    const auto n = study.curve().points.size();
+    const auto room = static_cast<std::size_t>(std::max((rect.bottom() - y) / line - 1, 0.0));
+    std::size_t shown = 0;
+    for (const auto& [control, weight] : basis.shares()) {
+        if (++shown > room) {
+            break;
+        }
+        const Colour dot = colourOf(stage.theme, {Role::control, static_cast<int>(control)});
+        list.AddCircleFilled(
+            {stage.px(6) + static_cast<float>(rect.left), static_cast<float>(y + 9 * stage.scale)},
+            stage.px(4.5), packed(dot));
+        row(control < n ? pointName(control) : "T_" + std::to_string(control - n), weight, s.text);
+    }
+    if (shown <= room) {
+        const auto middle = static_cast<float>(y);
+        list.AddLine({static_cast<float>(rect.left), middle},
+                     {static_cast<float>(rect.right()), middle}, packed(s.line));
+        y += 3 * stage.scale;
+        row(study.family().usesTangents ? "sum of P" : "sum", basis.sumBelow(n), s.text);
+    } else {
+        row("… " + std::to_string(basis.shares().size()) + " in all", basis.sumBelow(n), s.quiet);
+    }
+}
+
+/// An area that moves the cursor while the button is held on it; returns the value under it.
+std::optional<double> slidOver(const char* id, const PlotFrame& plot) {
+    ImGui::SetCursorScreenPos(
+        {static_cast<float>(plot.frame.left), static_cast<float>(plot.frame.top)});
+    ImGui::InvisibleButton(
+        id, {static_cast<float>(plot.frame.width), static_cast<float>(plot.frame.height)});
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    }
+    return ImGui::IsItemActive() ? std::optional(plot.across(ImGui::GetIO().MousePos.x))
+                                 : std::nullopt;
+}
+
+StripFrames framesIn(const Stage& stage) {
+    const auto& r = stage.rect;
+    const double top = r.top + headHeight * stage.scale;
+    const double height = r.bottom() - footHeight * stage.scale - top;
+    const double right = r.right() - (weightsWidth + 24) * stage.scale;
+    const double segments = std::min(segmentsWidth * stage.scale, 0.3 * (right - r.left));
+    const double left = r.left + gap * stage.scale;
+    const double middle = right - segments - gap * stage.scale;
+    return {{left, top, std::max(middle - left, 20 * stage.scale), height},
+            {right - segments, top, segments - 16 * stage.scale, height}};
+}
+
+} // namespace
+
+std::optional<StripFrames> drawStrip(const Session& session, View& view, const Stage& stage) {
+    if (stage.rect.height < (headHeight + footHeight + 40) * stage.scale) {
+        return std::nullopt;
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(14), stage.px(7)});
+    beginPanel("strip", stage, true);
+    ImGui::PopStyleVar();
+    const Study* study = session.active();
+    std::optional<StripFrames> frames;
+    if (study == nullptr || study->pieces().empty()) {
+        const auto few = study == nullptr
+                             ? "No curve yet."
+                             : "The curve begins with " +
+                                   std::to_string(fewestPoints(study->curve())) + " points.";
+        ImGui::TextDisabled("%s", few.c_str());
+    } else {
+        drawTransport(view, stage);
+        if (study->blends() == nullptr) {
+            ImGui::TextDisabled("Too many points to show every basis function.");
+        } else {
+            frames = framesIn(stage);
+            const auto& knots = study->pieces().knots();
+            if (const auto t = slidOver("whole", wholeRangeFrame(*study, frames->whole))) {
+                view.cursor = knots.locate(*t);
+                view.playing = false;
+            }
+            if (const auto u = slidOver("segments", segmentFrame(*study, frames->segments))) {
+                view.cursor.u = *u;
+                view.playing = false;
+            }
+            const double left = stage.rect.right() - weightsWidth * stage.scale;
+            drawWeights(*study, view, stage,
+                        {left, stage.rect.top + 12 * stage.scale, (weightsWidth - 18) * stage.scale,
+                         stage.rect.height - 16 * stage.scale});
+        }
+    }
+    ImGui::End();
+    return frames;
+}
+
+} // namespace splineloft::ui

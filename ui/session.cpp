@@ -1,0 +1,160 @@
+#include "ui/session.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace splineloft::ui {
+Session::Session(Document document, std::string file)
+    : history(document), path(std::move(file)), saved_(std::move(document)) {
+    tidy();
+}
+
+const Study* Session::active() const {
+    return view.activeCurve < studies.size() ? &studies[view.activeCurve] : nullptr;
+}
+
+void Session::apply(Edit edit) {
+    if (edit.phase == Phase::cancel) {
+        history.cancel();
+        return tidy();
+    }
+    if (const auto problem = problemOf(edit.next)) {
+        history.cancel();
+        complain(edit.label + " is not possible: " + problem->place + " " + problem->what +
+                 "; right would be: " + problem->remedy);
+        return tidy();
+    }
+    if (edit.phase == Phase::preview) {
+        history.preview(std::move(edit.next));
+    } else {
+        history.commit(std::move(edit.next), std::move(edit.label));
+    }
+    tidy();
+}
+
+void Session::undo() {
+    gesture = Idle{};
+    if (history.canUndo()) {
+        say("Undone: " + std::string(history.undoLabel()));
+    }
+    history.undo();
+    tidy();
+}
+
+void Session::redo() {
+    gesture = Idle{};
+    if (history.canRedo()) {
+        say("Done again: " + std::string(history.redoLabel()));
+    }
+    history.redo();
+    tidy();
+}
+
+void Session::leave(Departure departure) {
+    if (unsaved()) {
+        dialog = UnsavedQuestion{std::move(departure)};
+    } else {
+        leaveAnyway(departure);
+    }
+}
+
+void Session::leaveAnyway(const Departure& departure) {
+    dialog.reset();
+    if (std::holds_alternative<StartNew>(departure)) {
+        opened({}, "");
+        view.tool = Tool::pen;
+    } else if (const auto* file = std::get_if<GoToFile>(&departure)) {
+        if (file->path.empty()) {
+            browse(FilePurpose::open);
+        } else {
+            requests.emplace_back(OpenFile{file->path});
+        }
+    } else {
+        requests.emplace_back(Quit{});
+    }
+}
+
+void Session::save(std::optional<Departure> then) {
+    afterSave_ = std::move(then);
+    if (path.empty()) {
+        browse(FilePurpose::save);
+    } else {
+        dialog.reset();
+        requests.emplace_back(SaveFile{path});
+    }
+}
+
+void Session::browse(FilePurpose purpose) {
+    FileBrowser browser;
+    browser.purpose = purpose;
+    std::error_code failed;
+    const auto here = std::filesystem::current_path(failed);
+    browser.folder = path.empty() ? here : std::filesystem::absolute(path, failed).parent_path();
+    const auto stem = path.empty() ? "untitled" : std::filesystem::path(path).stem().string();
+    browser.name = purpose == FilePurpose::open            ? ""
+                   : purpose == FilePurpose::exportSamples ? stem + "-samples.csv"
+                                                           : stem + ".json";
+    browser.even = view.pace;
+    dialog = std::move(browser);
+}
+
+void Session::opened(Document document, std::string file) {
+    const auto kept = view;
+    history = History(document);
+    saved_ = std::move(document);
+    path = std::move(file);
+    gesture = Idle{};
+    view = View{};
+    view.layers = kept.layers;
+    view.theme = kept.theme;
+    view.strip = kept.strip;
+    tidy();
+}
+
+void Session::wasSaved(std::string file) {
+    saved_ = history.settled();
+    path = std::move(file);
+    say("Saved " + path);
+    if (const auto then = std::exchange(afterSave_, std::nullopt)) {
+        leaveAnyway(*then);
+    }
+}
+
+void Session::say(std::string text) {
+    notice = Notice{std::move(text), false};
+}
+
+void Session::complain(std::string text) {
+    afterSave_.reset();
+    notice = Notice{std::move(text), true};
+}
+
+std::string Session::fileName() const {
+    return path.empty() ? "untitled" : std::filesystem::path(path).filename().string();
+}
+
+void Session::tidy() {
+    const Document& shown = document();
+    studies.follow(shown);
+    view.activeCurve =
+        std::min(view.activeCurve, shown.curves.empty() ? 0 : shown.curves.size() - 1);
+    const auto gone = [&](const PointId& id) {
+        if (id.curve >= shown.curves.size()) {
+            return true;
+        }
+        const Curve& curve = *shown.curves[id.curve];
+        return id.index >= (id.part == Part::tangent ? curve.tangents : curve.points).size();
+    };
+    std::erase_if(view.selection, gone);
+    if (view.hovered && gone(*view.hovered)) {
+        view.hovered.reset();
+    }
+    view.ghost.reset();
+    const Study* study = active();
+    const auto pieces = study != nullptr ? study->pieces().size() : 0;
+    if (view.cursor.segment >= pieces) {
+        view.cursor = pieces > 0 ? Spot{pieces - 1, 1} : Spot{};
+    }
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,183 @@
+#include "ui/study.h"
+
+#include "ui/canvas/viewport.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace splineloft::ui {
+namespace {
+
+// More basis functions than these can neither be told apart nor drawn at once.
+constexpr std::size_t mostForBlends = 256;
+// A curve of more points is measured on so many of its first ones.
+constexpr std::size_t fewPoints = 24;
+
+/// Whether two curves have the same blends: they differ at most in where their points are, and the
+/// knots do not follow the points.
+bool sameBlends(const Curve& a, const Curve& b) {
+    return a.family == b.family && a.parameters == b.parameters && a.closed == b.closed &&
+           a.ends == b.ends && a.points.size() == b.points.size() &&
+           familyOf(a).spacing != Spacing::chord;
+}
+
+/// Value at u of the function with these Bernstein coefficients.
+double valueAt(std::vector<double> coefficients, double u) {
+    for (auto left = coefficients.size(); left > 1; --left) {
+        climb(std::span(coefficients).first(left), u);
+    }
+    return coefficients.front();
+}
+
+/// The controls that take part in a piece, in order.
+std::set<std::size_t> controlsIn(std::span<const Blend> bezier) {
+    std::set<std::size_t> controls;
+    for (const auto& blend : bezier) {
+        for (const auto& share : blend.shares()) {
+            controls.insert(share.control);
+        }
+    }
+    return controls;
+}
+
+BasisGraph graphOf(const BlendPieces& blends) {
+    BasisGraph graph;
+    std::map<std::size_t, BasisRun> open; // runs that reach up to the present piece
+    const auto samples =
+        std::clamp<std::size_t>(720 / std::max<std::size_t>(blends.size(), 1), 6, 64);
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+        const auto bezier = blends[i];
+        const auto present = controlsIn(bezier);
+        for (auto run = open.begin(); run != open.end();) {
+            if (present.contains(run->first)) {
+                ++run;
+            } else {
+                graph.runs.push_back(std::move(run->second));
+                run = open.erase(run);
+            }
+        }
+        for (const auto control : present) {
+            std::vector<double> coefficients;
+            for (const auto& blend : bezier) {
+                coefficients.push_back(blend.weight(control));
+            }
+            auto& run = open[control];
+            run.control = control;
+            for (std::size_t k = 0; k <= samples; ++k) {
+                const double u = static_cast<double>(k) / static_cast<double>(samples);
+                const double weight = valueAt(coefficients, u);
+                run.values.push_back({{i, u}, weight});
+                graph.low = std::min(graph.low, weight);
+                graph.high = std::max(graph.high, weight);
+            }
+        }
+    }
+    for (auto& [control, run] : open) {
+        graph.runs.push_back(std::move(run));
+    }
+    return graph;
+}
+
+Curve firstPointsOf(const Curve& curve, std::size_t count) {
+    Curve few = curve;
+    few.points = Points(curve.points.dimension());
+    few.tangents = few.points;
+    for (std::size_t i = 0; i < count; ++i) {
+        few.points.append(curve.points.at(i));
+        if (!curve.tangents.empty()) {
+            few.tangents.append(curve.tangents.at(i));
+        }
+    }
+    return few;
+}
+
+} // namespace
+
+Study::Study(std::shared_ptr<const Curve> curve, const Study* earlier) : curve_(std::move(curve)) {
+    if (earlier != nullptr && earlier->blends_ && sameBlends(*curve_, *earlier->curve_)) {
+        blends_ = earlier->blends_;
+        basisGraph_ = earlier->basisGraph_;
+    }
+}
+
+const Pieces& Study::pieces() const {
+    if (!pieces_) {
+        pieces_ = piecesOf(*curve_);
+    }
+    return *pieces_;
+}
+
+const ArcLength& Study::lengths() const {
+    if (!lengths_) {
+        lengths_.emplace(pieces());
+    }
+    return *lengths_;
+}
+
+const Pieces& Study::plane(const Axes& axes) const {
+    if (!plane_ || !(plane_->first == axes)) {
+        plane_.emplace(axes, flattened(pieces(), axes));
+    }
+    return plane_->second;
+}
+
+bool Study::measuredWhole() const {
+    return curve_->points.size() <= mostForBlends;
+}
+
+const BlendPieces* Study::blends() const {
+    if (!measuredWhole()) {
+        return nullptr;
+    }
+    if (!blends_) {
+        blends_ = std::make_shared<BlendPieces>(blendsOf(*curve_));
+    }
+    return blends_.get();
+}
+
+const BasisGraph& Study::basisGraph() const {
+    if (!basisGraph_) {
+        basisGraph_ = std::make_shared<BasisGraph>(graphOf(*blends()));
+    }
+    return *basisGraph_;
+}
+
+const Traits& Study::traits() const {
+    if (traits_) {
+        return *traits_;
+    }
+    if (const auto* recipes = blends()) {
+        traits_ = traitsOf(*curve_, pieces(), *recipes);
+        return *traits_;
+    }
+    const Curve few = firstPointsOf(*curve_, fewPoints);
+    traits_ = traitsOf(few, piecesOf(few), blendsOf(few));
+    return *traits_;
+}
+
+bool Study::isOnCurve(std::size_t control) const {
+    const auto& on = traits().onCurve;
+    return control < on.size() ? on[control] : traits().throughAll;
+}
+
+void Studies::follow(const Document& document) {
+    std::vector<std::unique_ptr<Study>> next;
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        const auto& curve = document.curves[i];
+        const auto known = std::ranges::find(curves_, curve);
+        if (known != curves_.end()) {
+            auto& study = studies_[static_cast<std::size_t>(known - curves_.begin())];
+            if (study) { // a document may hold the same curve twice
+                next.push_back(std::move(study));
+                continue;
+            }
+        }
+        const Study* earlier = i < studies_.size() ? studies_[i].get() : nullptr;
+        next.push_back(std::make_unique<Study>(curve, earlier));
+    }
+    curves_ = document.curves;
+    studies_ = std::move(next);
+}
+
+} // namespace splineloft::ui

@@ -1,0 +1,47 @@
+// The few widgets that Dear ImGui does not have: a slider that knows its neutral value, a number
+// field for exact values, a choice of a few, a chip.
+#pragma once
+
+#include "core/spline/family.h"
+#include "ui/edit.h"
+#include "ui/stage.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace splineloft::ui {
+
+/// A value that a widget was given, and whether the hand is still on it.
+struct Turned {
+    double value = 0;
+    Phase phase = Phase::preview;
+};
+
+/// A field that shows a number exactly and takes a new one on Enter, Tab or a click elsewhere.
+std::optional<double> numberField(const char* id, double value, double width);
+
+/// Name, symbol, value and track of one parameter. A mark shows the neutral value, to which the
+/// knob is drawn; a double click returns to it; ratios slide logarithmically; Escape in mid-drag
+/// cancels.
+std::optional<Turned> parameterSlider(const Parameter& parameter, double value, const Stage& stage);
+
+/// Buttons side by side, one of them pressed. Returns the one that was clicked.
+std::optional<int> choiceOf(const char* id, std::span<const std::string_view> names, int chosen,
+                            const Stage& stage, double width);
+
+/// A rounded label; struck through where the property does not hold. Goes to the next line where
+/// the present one is full.
+void chip(const std::string& text, bool holds, const Stage& stage);
+
+/// Small quiet text, wrapped.
+void quietText(const std::string& text, const Stage& stage);
+
+/// Text that explains the widget before it while the pointer rests there.
+void explain(const std::string& text);
+
+/// Which value lies where along a parameter's track (0 .. 1), and back.
+double trackPosition(const Parameter& parameter, double value);
+double valueOnTrack(const Parameter& parameter, double position);
+
+} // namespace splineloft::ui
