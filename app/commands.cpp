@@ -1,0 +1,238 @@
+#include "app/commands.h"
+
+#include "core/formats/document_json.h"
+#include "core/formats/file.h"
+#include "core/formats/json_text.h"
+#include "core/formats/numbers.h"
+#include "core/spline/catalog.h"
+
+#include <algorithm>
+#include <istream>
+#include <numeric>
+
+namespace splineloft {
+namespace {
+
+/// Most curves named in the answer to a curve that does not exist.
+constexpr std::size_t mostNamed = 12;
+
+/// A curve of a document that was read from a file.
+struct Chosen {
+    std::shared_ptr<const Curve> curve;
+    std::string file, place; ///< for refusals
+
+    Refusal refuse(Refusal refusal) const {
+        return {file, place + refusal.place, refusal.what, refusal.remedy};
+    }
+};
+
+std::string nameOfFile(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+std::string range(double least, double most) { return shortest(least) + " to " + shortest(most); }
+
+std::string counted(std::size_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string curvesOf(const Document& document) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(document.curves.size(), mostNamed); ++i) {
+        list += (i == 0 ? "" : ", ") + std::to_string(i) + " " + inQuotes(document.curves[i]->name);
+    }
+    return document.curves.size() > mostNamed ? list + ", ..." : list;
+}
+
+/// The index of the curve that bears the name, else of the one whose index it is.
+Result<std::size_t> indexOf(const Document& document, const std::string& wanted) {
+    const auto& curves = document.curves;
+    const auto bearsName = [&](const auto& curve) { return curve->name == wanted; };
+    const auto found = std::ranges::find_if(curves, bearsName);
+    if (found == curves.end()) {
+        const auto index = wholeNumberFrom(wanted);
+        if (index && *index >= 0 && static_cast<std::size_t>(*index) < curves.size()) {
+            return static_cast<std::size_t>(*index);
+        }
+        return Refusal{"", "/curves", "there is no curve " + inQuotes(wanted),
+                       "one of " + curvesOf(document)};
+    }
+    if (std::ranges::count_if(curves, bearsName) > 1) {
+        return Refusal{"", "/curves", "several curves bear the name " + inQuotes(wanted),
+                       "an index: " + curvesOf(document)};
+    }
+    return static_cast<std::size_t>(found - curves.begin());
+}
+
+Result<Chosen> choose(const CurveChoice& choice, std::istream& standardInput) {
+    const auto document = openDocument(choice.file, standardInput);
+    if (!document) {
+        return document.refusal();
+    }
+    const auto file = nameOfFile(choice.file);
+    if (document->curves.empty()) {
+        return Refusal{file, "/curves", "there is no curve in it", "a document with a curve"};
+    }
+    const auto index = choice.curve ? indexOf(*document, *choice.curve) : std::size_t{0};
+    if (!index) {
+        auto refusal = index.refusal();
+        refusal.file = file;
+        return refusal;
+    }
+    return Chosen{document->curves[*index], file, "/curves/" + std::to_string(*index)};
+}
+
+/// The spots that are asked for, if the curve has them.
+Result<std::vector<Spot>> spotsOf(const SpotQuery& query, const KnotLine& knots) {
+    std::vector<Spot> spots;
+    if (!query.segment) {
+        for (const double t : query.values) {
+            if (t < knots.start() || t > knots.end()) {
+                return Refusal{"", "", "there is no t = " + shortest(t),
+                               range(knots.start(), knots.end())};
+            }
+            spots.push_back(knots.locate(t));
+        }
+        return spots;
+    }
+    if (*query.segment < 0 || static_cast<std::size_t>(*query.segment) >= knots.pieces()) {
+        return Refusal{"", "", "there is no segment " + std::to_string(*query.segment),
+                       "0 to " + std::to_string(knots.pieces() - 1)};
+    }
+    for (const double u : query.values) {
+        if (u < 0 || u > 1) {
+            return Refusal{"", "", "there is no u = " + shortest(u), range(0, 1)};
+        }
+        spots.push_back({static_cast<std::size_t>(*query.segment), u});
+    }
+    return spots;
+}
+
+void writeJet(JsonText& json, const Spot& spot, double t, const Jet& jet) {
+    json.beginObject(Flow::inLine);
+    json.key("segment");
+    json.count(spot.segment);
+    json.key("u");
+    json.number(spot.u);
+    json.key("t");
+    json.number(t);
+    json.key("position");
+    json.numbers(jet.position.coordinates());
+    json.key("first");
+    json.numbers(jet.first.coordinates());
+    json.key("second");
+    json.numbers(jet.second.coordinates());
+    json.key("curvature");
+    json.numberOrNull(jet.curvature);
+    json.end();
+}
+
+void writeWeights(JsonText& json, std::string_view key, const Blend& blend, std::size_t first,
+                  std::size_t count) {
+    std::vector<double> weights(count);
+    for (const auto& share : blend.shares()) {
+        if (share.control >= first && share.control < first + count) {
+            weights[share.control - first] = share.weight;
+        }
+    }
+    json.key(key);
+    json.numbers(weights);
+}
+
+} // namespace
+
+Result<Document> openDocument(const std::string& file, std::istream& standardInput) {
+    const auto name = nameOfFile(file);
+    const auto text = file == "-" ? readStream(standardInput, name) : readFile(file);
+    if (!text) {
+        return text.refusal();
+    }
+    auto document = readDocument(*text);
+    if (!document) {
+        auto refusal = document.refusal();
+        refusal.file = name;
+        return refusal;
+    }
+    return document;
+}
+
+Result<std::string> evaluate(const SpotQuery& query, std::istream& standardInput) {
+    const auto chosen = choose(query.choice, standardInput);
+    if (!chosen) {
+        return chosen.refusal();
+    }
+    const auto pieces = piecesOf(*chosen->curve);
+    if (pieces.empty()) {
+        return chosen->refuse(tooFewPoints(*chosen->curve));
+    }
+    const auto spots = spotsOf(query, pieces.knots());
+    if (!spots) {
+        return chosen->refuse(spots.refusal());
+    }
+    JsonText json;
+    json.beginArray();
+    for (const auto& spot : *spots) {
+        writeJet(json, spot, pieces.knots().parameter(spot),
+                 query.segment ? pieces.jet(spot) : pieces.jetByParameter(spot));
+    }
+    json.end();
+    return std::move(json).finished();
+}
+
+Result<std::string> basisAt(const SpotQuery& query, std::istream& standardInput) {
+    const auto chosen = choose(query.choice, standardInput);
+    if (!chosen) {
+        return chosen.refusal();
+    }
+    const auto& curve = *chosen->curve;
+    const auto blends = blendsOf(curve);
+    if (blends.size() == 0) {
+        return chosen->refuse(tooFewPoints(curve));
+    }
+    const auto spots = spotsOf(query, blends.knots());
+    if (!spots) {
+        return chosen->refuse(spots.refusal());
+    }
+    const auto count = blends.controlPoints();
+    JsonText json;
+    json.beginArray();
+    for (const auto& spot : *spots) {
+        const auto basis = blends.basis(spot);
+        json.beginObject(Flow::inLine);
+        json.key("t");
+        json.number(blends.knots().parameter(spot));
+        writeWeights(json, "weights", basis, 0, count);
+        if (familyOf(curve).usesTangents) {
+            writeWeights(json, "tangentWeights", basis, count, count);
+        }
+        json.end();
+    }
+    json.end();
+    return std::move(json).finished();
+}
+
+Result<SampledPath> sample(const CurveChoice& choice, const Sampling& sampling,
+                           std::istream& standardInput) {
+    const auto chosen = choose(choice, standardInput);
+    if (!chosen) {
+        return chosen.refusal();
+    }
+    auto path = sampledPath(*chosen->curve, sampling);
+    if (!path) {
+        return chosen->refuse(path.refusal());
+    }
+    return path;
+}
+
+Result<std::string> checkFile(const std::string& file, std::istream& standardInput) {
+    const auto document = openDocument(file, standardInput);
+    if (!document) {
+        return document.refusal();
+    }
+    const auto& curves = document->curves;
+    const auto points =
+        std::accumulate(curves.begin(), curves.end(), std::size_t{0},
+                        [](auto sum, const auto& curve) { return sum + curve->points.size(); });
+    return nameOfFile(file) + ": ok (" + counted(curves.size(), "curve") + ", " +
+           counted(points, "point") + ")\n";
+}
+
+} // namespace splineloft

@@ -1,0 +1,115 @@
+#include "app/loop.h"
+
+#include "app/imgui_versions.h"
+#include "app/interface.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace splineloft::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+// Dear ImGui shows the whole effect of an event only some frames later.
+constexpr int settlingFrames = 3;
+
+// Frames start at least this far apart, in case nothing else (the monitor, by way of the driver)
+// holds them back. A little less than a frame of a 60 Hz monitor, so as not to miss its next one.
+constexpr Seconds shortestFrame{1.0 / 70.0};
+
+// A text cursor blinks while one types: a frame so often shows it.
+constexpr double blinkSeconds = 0.25;
+
+// No time at all would stop Dear ImGui.
+constexpr double shortestStep = 1e-6;
+
+// When to run the next frame.
+class Pace {
+  public:
+    // Returns when a frame is due, with the events up to then in the queue.
+    void wait(Window& window, const ui::InputQueue& queue) {
+        if (queue.empty()) {
+            hold(window);
+        }
+        noteNews(window, queue);
+        if (left_ == 0 && !animating_) {
+            sleep(window);
+            noteNews(window, queue);
+        }
+    }
+
+    // Notes the start of a frame and returns the time since the start of the one before.
+    double start() {
+        const auto now = Clock::now();
+        const auto step = Seconds(now - started_).count();
+        started_ = now;
+        return std::max(step, shortestStep);
+    }
+
+    void drawn(bool animating) {
+        animating_ = animating;
+        left_ = std::max(left_ - 1, 0);
+    }
+
+  private:
+    void noteNews(Window& window, const ui::InputQueue& queue) {
+        if (window.takeDamage() || !queue.empty()) {
+            left_ = settlingFrames;
+        }
+    }
+
+    void hold(Window& window) {
+        window.pollEvents();
+        for (auto left = remaining(); left > 0; left = remaining()) {
+            window.waitEvents(left);
+        }
+    }
+
+    void sleep(Window& window) {
+        if (ImGui::GetIO().WantTextInput) {
+            window.waitEvents(blinkSeconds);
+        } else {
+            window.waitEvents();
+        }
+    }
+
+    double remaining() const { return (shortestFrame - Seconds(Clock::now() - started_)).count(); }
+
+    Clock::time_point started_ = Clock::now();
+    bool animating_ = false;
+    int left_ = settlingFrames;
+};
+
+} // namespace
+
+void runEditor(Window& window, ui::InputQueue& queue, ui::Session& session,
+               const AfterFrame& afterFrame) {
+    Clipboard clipboard{window, {}};
+    Interface interface;
+    shareClipboard(clipboard);
+    Pace pace;
+    while (true) {
+        pace.wait(window, queue);
+        const auto screen = window.screen();
+        interface.fit(screen);
+        const auto frame = ui::runFrame(session, screen, queue.takeFrame(), pace.start());
+        if (!afterFrame(session)) {
+            return;
+        }
+        window.setTitle(frame.title);
+        window.setPointer(frame.pointer);
+        if (!queue.empty()) {
+            continue; // events that were caught up with are not worth showing one by one
+        }
+        interface.renderer().draw(frame, screen);
+        window.swapBuffers();
+        pace.drawn(frame.animating);
+    }
+}
+
+} // namespace splineloft::app

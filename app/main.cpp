@@ -1,0 +1,91 @@
+// Splineloft: reads the command line, then opens the editor or does the one thing that was asked.
+#include "app/command_line.h"
+#include "app/files.h"
+#include "app/image.h"
+#include "app/loop.h"
+#include "app/offscreen.h"
+#include "app/window.h"
+#include "app/window_error.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace splineloft::app {
+namespace {
+
+constexpr int refused = 1;
+constexpr int wronglyCalled = 2;
+
+int complain(const std::string& words) {
+    std::cerr << "splineloft: " << words << '\n';
+    return refused;
+}
+
+int openEditor(const OpenEditor& asked) {
+    auto session = beginSession(asked.files);
+    if (!session) {
+        return complain(session.refusal().message());
+    }
+    ui::InputQueue queue;
+    Window window({}, queue);
+    runEditor(window, queue, *session, carryOutRequests);
+    return 0;
+}
+
+/// Shows these layers and no others; says which there are where one is unknown.
+std::optional<std::string> showOnly(ui::Layers& layers, const std::vector<std::string>& names) {
+    for (const auto& named : ui::namedLayers) {
+        layers.*named.layer = false;
+    }
+    for (const auto& name : names) {
+        const auto found = std::ranges::find(ui::namedLayers, name, &ui::NamedLayer::name);
+        if (found == ui::namedLayers.end()) {
+            std::string known;
+            for (const auto& named : ui::namedLayers) {
+                known += (known.empty() ? "" : ", ") + std::string(named.name);
+            }
+            return "--show: there is no layer " + inQuotes(name) + "; right would be: " + known;
+        }
+        layers.*found->layer = true;
+    }
+    return std::nullopt;
+}
+
+int drawScreenshot(const DrawScreenshot& asked) {
+    auto session = beginSession(asked.file ? std::vector{*asked.file} : std::vector<std::string>{});
+    if (!session) {
+        return complain(session.refusal().message());
+    }
+    session->view.theme = asked.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
+    if (!asked.show.empty()) {
+        if (const auto fault = showOnly(session->view.layers, asked.show)) {
+            complain(*fault);
+            return wronglyCalled;
+        }
+    }
+    const auto image = screenshot(*session, {asked.width, asked.height, asked.scale});
+    const auto fault = writePng(image, asked.output);
+    return fault ? complain(*fault) : 0;
+}
+
+int run(const Command& command) {
+    if (const auto* editor = std::get_if<OpenEditor>(&command)) {
+        return openEditor(*editor);
+    }
+    if (const auto* picture = std::get_if<DrawScreenshot>(&command)) {
+        return drawScreenshot(*picture);
+    }
+    return std::get<Finished>(command).exitCode;
+}
+
+} // namespace
+} // namespace splineloft::app
+
+int main(int argc, char** argv) {
+    try {
+        return splineloft::app::run(
+            splineloft::runCommandLine(argc, argv, {std::cin, std::cout, std::cerr}));
+    } catch (const splineloft::app::WindowError& fault) {
+        return splineloft::app::complain(fault.what());
+    }
+}

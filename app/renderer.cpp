@@ -1,0 +1,189 @@
+#include "app/renderer.h"
+
+#include "app/imgui_versions.h"
+
+#include "shaders.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+namespace splineloft::app {
+
+namespace {
+
+using gl::AttributeKind;
+using gl::InstanceAttribute;
+
+// What one instance of the area program reads.
+struct AreaInstance {
+    float left, top, right, bottom;
+    ui::Colour fill;
+};
+
+constexpr std::array areaAttributes{
+    InstanceAttribute{0, 4, AttributeKind::number, offsetof(AreaInstance, left)},
+    InstanceAttribute{1, 4, AttributeKind::colour, offsetof(AreaInstance, fill)}};
+
+constexpr std::array signAttributes{
+    InstanceAttribute{0, 4, AttributeKind::number, offsetof(ui::Sign, x)},
+    InstanceAttribute{1, 1, AttributeKind::number, offsetof(ui::Sign, angle)},
+    InstanceAttribute{2, 1, AttributeKind::code, offsetof(ui::Sign, shape)},
+    InstanceAttribute{3, 4, AttributeKind::colour, offsetof(ui::Sign, fill)},
+    InstanceAttribute{4, 4, AttributeKind::colour, offsetof(ui::Sign, outline)}};
+
+// The four parts that the sign program reads as one: they lie side by side.
+static_assert(offsetof(ui::Sign, radius) == offsetof(ui::Sign, x) + 2 * sizeof(float));
+static_assert(offsetof(ui::Sign, outlineWidth) == offsetof(ui::Sign, x) + 3 * sizeof(float));
+// Likewise x, y, along, halfWidth, then dash and gap, of a ribbon.
+static_assert(offsetof(ui::RibbonVertex, halfWidth) == 3 * sizeof(float));
+static_assert(offsetof(ui::RibbonVertex, gap) == 5 * sizeof(float));
+static_assert(sizeof(ui::Colour) == 4 && std::is_standard_layout_v<ui::Colour>);
+
+// One buffer seen four times, each view a vertex further on: instance i reads vertices i .. i+3.
+constexpr std::size_t ribbonVertex(std::size_t ahead) {
+    return ahead * sizeof(ui::RibbonVertex);
+}
+
+constexpr std::array ribbonAttributes{
+    InstanceAttribute{0, 2, AttributeKind::number, ribbonVertex(0)},
+    InstanceAttribute{1, 4, AttributeKind::number, ribbonVertex(1)},
+    InstanceAttribute{2, 2, AttributeKind::number,
+                      ribbonVertex(1) + offsetof(ui::RibbonVertex, dash)},
+    InstanceAttribute{3, 4, AttributeKind::colour,
+                      ribbonVertex(1) + offsetof(ui::RibbonVertex, colour)},
+    InstanceAttribute{4, 4, AttributeKind::number, ribbonVertex(2)},
+    InstanceAttribute{5, 4, AttributeKind::colour,
+                      ribbonVertex(2) + offsetof(ui::RibbonVertex, colour)},
+    InstanceAttribute{6, 2, AttributeKind::number, ribbonVertex(3)}};
+
+void clear(ui::Colour colour) {
+    const auto part = [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; };
+    const auto alpha = part(colour.alpha);
+    glClearColor(part(colour.red) * alpha, part(colour.green) * alpha, part(colour.blue) * alpha,
+                 alpha);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+// Keeps drawing inside a rectangle for as long as it lives.
+class Clip {
+  public:
+    Clip(const ui::ScreenRect& rect, const ui::Screen& screen) {
+        const auto edge = [](double place, int limit) {
+            return static_cast<int>(std::lround(std::clamp(place, 0.0, double(limit))));
+        };
+        const auto left = edge(rect.left, screen.width);
+        const auto bottom = edge(rect.bottom(), screen.height);
+        const auto width = edge(rect.right(), screen.width) - left;
+        const auto height = bottom - edge(rect.top, screen.height);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(left, screen.height - bottom, std::max(width, 0), std::max(height, 0));
+    }
+    ~Clip() { glDisable(GL_SCISSOR_TEST); }
+    Clip(const Clip&) = delete;
+    Clip& operator=(const Clip&) = delete;
+};
+
+} // namespace
+
+Renderer::Batch::Batch(const char* name, const char* vertexBody, const char* fragmentBody,
+                       std::size_t stride, std::span<const gl::InstanceAttribute> attributes)
+    : program(name, vertexBody, fragmentBody), vertices(buffer, stride, attributes) {}
+
+void Renderer::Batch::draw(std::span<const std::byte> instances, std::size_t count,
+                           const ui::Screen& screen) {
+    buffer.upload(instances);
+    program.use();
+    program.setVec2("screen", static_cast<float>(screen.width), static_cast<float>(screen.height));
+    vertices.bind();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shaders multiply by alpha themselves
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+    glDisable(GL_BLEND);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+Renderer::Renderer()
+    : areas_("area", shaders::areaVertex, shaders::areaFragment, sizeof(AreaInstance),
+             areaAttributes),
+      ribbons_("ribbon", shaders::ribbonVertex, shaders::ribbonFragment, sizeof(ui::RibbonVertex),
+               ribbonAttributes),
+      signs_("sign", shaders::signVertex, shaders::signFragment, sizeof(ui::Sign),
+             signAttributes) {
+    if (ImGui::GetCurrentContext() != nullptr) {
+        panels_ = ImGui_ImplOpenGL3_Init("#version 330 core");
+    }
+}
+
+Renderer::~Renderer() {
+    if (panels_) {
+        ImGui_ImplOpenGL3_Shutdown();
+    }
+}
+
+void Renderer::uploadFonts() {
+    if (panels_) {
+        renewFontTexture();
+    }
+}
+
+void Renderer::draw(const ui::FrameResult& frame, const ui::Screen& screen) {
+    glViewport(0, 0, screen.width, screen.height);
+    clear(frame.background);
+    for (const auto& picture : frame.pictures) {
+        drawPicture(picture, screen);
+    }
+    auto* const panels = panels_ ? ImGui::GetDrawData() : nullptr;
+    if (panels != nullptr) {
+        ImGui_ImplOpenGL3_RenderDrawData(panels);
+    }
+}
+
+void Renderer::drawPicture(const ui::Picture& picture, const ui::Screen& screen) {
+    const Clip clip(picture.frame, screen);
+    if (picture.background.alpha == 255) {
+        clear(picture.background);
+    } else {
+        drawAreas(std::array{ui::Area{picture.frame, picture.background}}, screen);
+    }
+    drawAreas(picture.areas, screen);
+    drawRibbons(picture.ribbons, screen);
+    drawSigns(picture.signs, screen);
+}
+
+void Renderer::drawAreas(std::span<const ui::Area> areas, const ui::Screen& screen) {
+    if (areas.empty()) {
+        return;
+    }
+    std::vector<AreaInstance> instances;
+    instances.reserve(areas.size());
+    for (const auto& [rect, fill] : areas) {
+        instances.push_back({static_cast<float>(rect.left), static_cast<float>(rect.top),
+                             static_cast<float>(rect.right()), static_cast<float>(rect.bottom()),
+                             fill});
+    }
+    areas_.draw(std::as_bytes(std::span(instances)), instances.size(), screen);
+}
+
+void Renderer::drawRibbons(std::span<const ui::RibbonVertex> ribbons, const ui::Screen& screen) {
+    constexpr std::size_t readAhead = 3;
+    if (ribbons.size() > readAhead) {
+        ribbons_.draw(std::as_bytes(ribbons), ribbons.size() - readAhead, screen);
+    }
+}
+
+void Renderer::drawSigns(std::span<const ui::Sign> signs, const ui::Screen& screen) {
+    if (!signs.empty()) {
+        signs_.draw(std::as_bytes(signs), signs.size(), screen);
+    }
+}
+
+} // namespace splineloft::app

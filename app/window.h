@@ -1,0 +1,80 @@
+// The window on the screen. What happens to it is pushed into a queue and nothing else: its
+// callbacks decide nothing.
+#pragma once
+
+#include "app/window_error.h"
+#include "ui/frame.h"
+#include "ui/input.h"
+
+#include <memory>
+#include <string>
+
+struct GLFWwindow;
+struct GLFWcursor;
+
+namespace splineloft::app {
+
+/// How a window starts.
+struct WindowOptions {
+    int width = 1280, height = 800; ///< design pixels
+    std::string title = "Splineloft";
+    bool visible = true; ///< a hidden one still has an OpenGL context
+};
+
+/// A window with a current OpenGL 3.3 core context, its functions loaded.
+class Window {
+  public:
+    /// Opens the window, which pushes its events into `queue` for as long as it lives. Throws
+    /// WindowError when there is no display or no OpenGL 3.3.
+    Window(const WindowOptions& options, ui::InputQueue& queue);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Size in framebuffer pixels (each side at least 1) and scale, as they are now.
+    ui::Screen screen() const;
+
+    /// Whether the window must be drawn again although no event says so: it was resized, or
+    /// uncovered. Asking settles the matter.
+    bool takeDamage();
+
+    /// Shows what was drawn; waits for the monitor where the driver does.
+    void swapBuffers();
+
+    void setTitle(const std::string& title);
+    void setPointer(ui::PointerShape shape);
+
+    std::string clipboard() const;
+    void setClipboard(const std::string& text);
+
+    /// Takes the events that have arrived.
+    void pollEvents();
+    /// Sleeps until something happens.
+    void waitEvents();
+    /// Sleeps until something happens, `seconds` (> 0) at most.
+    void waitEvents(double seconds);
+    /// Wakes waitEvents; may be called from another thread.
+    void wake();
+
+  private:
+    struct Toolkit { // started before the window, ended after it
+        Toolkit();
+        ~Toolkit();
+        Toolkit(const Toolkit&) = delete;
+        Toolkit& operator=(const Toolkit&) = delete;
+    };
+    struct Listener; // what the callbacks need
+    struct Closed {
+        void operator()(GLFWwindow* window) const;
+        void operator()(GLFWcursor* cursor) const;
+    };
+
+    Toolkit toolkit_;
+    std::unique_ptr<Listener> listener_;
+    std::unique_ptr<GLFWwindow, Closed> window_;
+    std::unique_ptr<GLFWcursor, Closed> cursor_;
+    std::string title_;
+    ui::PointerShape pointer_ = ui::PointerShape::arrow;
+};
+
+} // namespace splineloft::app
