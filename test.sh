@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Runs every test: ./test.sh [quick]
+#
+# First the release build with all tests, then the tests that open no window once more under
+# AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer. `quick` leaves the second out.
+# The last line counts both together. With CI=true a check that lacks its tool fails, not skips.
+set -euo pipefail
+
+# shellcheck source=tools/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
+
+passed=0
+failed=0
+skipped=0
+
+# Adds what one run of ctest counted, read from the head of its JUnit report.
+add_up() {
+    local head
+    head="$(tr '\n\t' '  ' <"$1" | grep -o '<testsuite [^>]*>' | head -n 1)"
+    attribute() { sed -n "s/.* $1=\"\([0-9]*\)\".*/\1/p" <<<"$head"; }
+    local bad skips
+    bad="$(attribute failures)"
+    skips=$(($(attribute skipped) + $(attribute disabled)))
+    passed=$((passed + $(attribute tests) - bad - skips))
+    failed=$((failed + bad))
+    skipped=$((skipped + skips))
+}
+
+# run_tests PRESET: builds it and runs its tests; failures are counted, not fatal.
+run_tests() {
+    local preset="$1" folder report all_good=true
+    folder="$(build_folder "$preset")"
+    report="$folder/tests.xml"
+    say "== $preset: building"
+    configure "$preset" -DSPLINELOFT_TESTS=ON
+    build "$preset"
+    say "== $preset: testing"
+    rm -f "$report"
+    # ctest finds its preset in the current directory only.
+    (cd "$root" && ctest --preset "$preset" --parallel "$(nproc)" --output-junit "$report") ||
+        all_good=false
+    [[ -s $report ]] || fail "ctest ran no test of the preset '$preset' (see above)"
+    add_up "$report"
+    if ! $all_good && [[ $failed -eq 0 ]]; then
+        fail "ctest failed with the preset '$preset' although no test did (see above)"
+    fi
+}
+
+case "$*" in
+'') presets=(release sanitize) ;;
+quick) presets=(release) ;;
+*)
+    printf 'usage: test.sh [quick]\n' >&2
+    exit 2
+    ;;
+esac
+
+set_up_for_tests
+for preset in "${presets[@]}"; do
+    run_tests "$preset"
+done
+
+say ""
+say "$passed passed, $failed failed, $skipped skipped"
+[[ $failed -eq 0 && $passed -gt 0 ]]
