@@ -141,7 +141,8 @@ DrawScreenshot screenshotIn(const Written& written) {
         constexpr double least = 0.5;
         constexpr double most = 4;
         if (shot.scale < least || shot.scale > most) {
-            throw CLI::ValidationError("--scale", inQuotes(written.scale) + " is not within 0.5 to 4");
+            throw CLI::ValidationError("--scale",
+                                       inQuotes(written.scale) + " is not within 0.5 to 4");
         }
     }
     return shot;
@@ -231,7 +232,8 @@ class CommandLine {
         auto* sub = add("sample", "Samples along a curve, as CSV or JSON");
         addFile(*sub);
         addCurve(*sub);
-        auto* perPiece = sub->add_option("--per-segment", written_.perPiece, "Steps on every piece");
+        auto* perPiece =
+            sub->add_option("--per-segment", written_.perPiece, "Steps on every piece");
         auto* count = sub->add_option("--count", written_.count, "Samples from start to end");
         perPiece->type_name("N")->excludes(count);
         count->type_name("N");
@@ -269,7 +271,8 @@ class CommandLine {
             ->type_name("S");
         sub->callback([this] {
             if (!endsWith(written_.output, ".png")) {
-                throw CLI::ValidationError("-o", inQuotes(written_.output) + " does not end in .png");
+                throw CLI::ValidationError("-o",
+                                           inQuotes(written_.output) + " does not end in .png");
             }
             command_ = screenshotIn(written_);
         });
@@ -288,7 +291,8 @@ class CommandLine {
     void sampleInto(const std::string& output) {
         const bool asJson = endsWith(output, ".json");
         if (!output.empty() && !asJson && !endsWith(output, ".csv")) {
-            throw CLI::ValidationError("-o", inQuotes(output) + " ends neither in .csv nor in .json");
+            throw CLI::ValidationError("-o",
+                                       inQuotes(output) + " ends neither in .csv nor in .json");
         }
         const auto path = sample(choiceIn(written_), samplingIn(written_), streams_.in);
         if (!path) {
@@ -311,7 +315,8 @@ class CommandLine {
         }
         streams_.out << *result << std::flush;
         if (!streams_.out) {
-            return refuse({"standard output", "", "could not be written to", "a place that can be"});
+            return refuse(
+                {"standard output", "", "could not be written to", "a place that can be"});
         }
         command_ = Finished{done};
     }
@@ -324,7 +329,8 @@ class CommandLine {
     const Streams& streams_;
     Written written_;
     Command command_ = Finished{done};
-    CLI::App app_{"Splineloft: lay down points, choose how a curve goes through or near them", "splineloft"};
+    CLI::App app_{"Splineloft: lay down points, choose how a curve goes through or near them",
+                  "splineloft"};
 };
 
 } // namespace

@@ -40,7 +40,8 @@ struct Streams {
     std::ostream& err;
 };
 
-/// Reads the command line and carries out what needs no window. Never throws for what the user wrote.
+/// Reads the command line and carries out what needs no window. Never throws for what the user
+/// wrote.
 Command runCommandLine(int argc, const char* const* argv, const Streams& streams);
 
 } // namespace splineloft

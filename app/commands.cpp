@@ -26,9 +26,13 @@ struct Chosen {
     }
 };
 
-std::string nameOfFile(const std::string& file) { return file == "-" ? "standard input" : file; }
+std::string nameOfFile(const std::string& file) {
+    return file == "-" ? "standard input" : file;
+}
 
-std::string range(double least, double most) { return shortest(least) + " to " + shortest(most); }
+std::string range(double least, double most) {
+    return shortest(least) + " to " + shortest(most);
+}
 
 std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");

@@ -16,7 +16,8 @@ namespace splineloft {
 /// One curve of a file. "-" is the standard input.
 struct CurveChoice {
     std::string file;
-    std::optional<std::string> curve; ///< its name or its index; the first curve where none is given
+    std::optional<std::string>
+        curve; ///< its name or its index; the first curve where none is given
 };
 
 /// Spots of a curve: at values of u on one segment, or at values of the parameter t.
@@ -34,8 +35,8 @@ std::string familiesAsTable();
 /// The catalog as a JSON array.
 std::string familiesAsJson();
 
-/// JSON array of {"segment","u","t","position","first","second","curvature"}, one a spot. Derivatives
-/// are by u on a segment and by t otherwise; curvature is null where the speed is zero.
+/// JSON array of {"segment","u","t","position","first","second","curvature"}, one a spot.
+/// Derivatives are by u on a segment and by t otherwise; curvature is null where the speed is zero.
 Result<std::string> evaluate(const SpotQuery& query, std::istream& standardInput);
 
 /// JSON array of {"t","weights"}, one weight a control point; for families with tangents also

@@ -32,8 +32,7 @@ struct Freed {
     void operator()(FcCharSet* letters) const { FcCharSetDestroy(letters); }
 };
 
-template <typename T>
-using Owned = std::unique_ptr<T, Freed>;
+template <typename T> using Owned = std::unique_ptr<T, Freed>;
 
 Owned<FcCharSet> lettersNeeded() {
     Owned<FcCharSet> letters(FcCharSetCreate());

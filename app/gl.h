@@ -14,8 +14,7 @@ namespace splineloft::app::gl {
 void loadFunctions(void (*(*find)(const char*))());
 
 /// The name that OpenGL gave an object; freed once, by the function `release`.
-template <void (*release)(unsigned)>
-class Name {
+template <void (*release)(unsigned)> class Name {
   public:
     explicit Name(unsigned value) : value_(value) {}
     Name(Name&& other) noexcept : value_(std::exchange(other.value_, 0)) {}

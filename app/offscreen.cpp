@@ -59,10 +59,13 @@ class EglContext : public OffscreenContext::Context {
     bool makeContext() {
         constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
                                                EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-        constexpr std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION, 3,
-                                             EGL_CONTEXT_MINOR_VERSION, 3,
+        constexpr std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
+                                             3,
+                                             EGL_CONTEXT_MINOR_VERSION,
+                                             3,
                                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                             EGL_NONE};
         EGLConfig config = nullptr;
         EGLint found = 0;
         eglBindAPI(EGL_OPENGL_API);

@@ -116,8 +116,7 @@ Renderer::Renderer()
              areaAttributes),
       ribbons_("ribbon", shaders::ribbonVertex, shaders::ribbonFragment, sizeof(ui::RibbonVertex),
                ribbonAttributes),
-      signs_("sign", shaders::signVertex, shaders::signFragment, sizeof(ui::Sign),
-             signAttributes) {
+      signs_("sign", shaders::signVertex, shaders::signFragment, sizeof(ui::Sign), signAttributes) {
     if (ImGui::GetCurrentContext() != nullptr) {
         panels_ = ImGui_ImplOpenGL3_Init("#version 330 core");
     }

@@ -52,37 +52,27 @@ ui::Key keyFrom(int key, int scancode) {
 
 std::optional<ui::Button> buttonFrom(int button) {
     switch (button) {
-    case GLFW_MOUSE_BUTTON_LEFT:
-        return ui::Button::left;
-    case GLFW_MOUSE_BUTTON_RIGHT:
-        return ui::Button::right;
-    case GLFW_MOUSE_BUTTON_MIDDLE:
-        return ui::Button::middle;
-    default:
-        return std::nullopt;
+    case GLFW_MOUSE_BUTTON_LEFT: return ui::Button::left;
+    case GLFW_MOUSE_BUTTON_RIGHT: return ui::Button::right;
+    case GLFW_MOUSE_BUTTON_MIDDLE: return ui::Button::middle;
+    default: return std::nullopt;
     }
 }
 
 int cursorShape(ui::PointerShape shape) {
     switch (shape) {
-    case ui::PointerShape::hand:
-        return GLFW_HAND_CURSOR;
+    case ui::PointerShape::hand: return GLFW_HAND_CURSOR;
     case ui::PointerShape::move:
 #ifdef GLFW_RESIZE_ALL_CURSOR // from GLFW 3.4 on
         return GLFW_RESIZE_ALL_CURSOR;
 #else
         return GLFW_HAND_CURSOR;
 #endif
-    case ui::PointerShape::cross:
-        return GLFW_CROSSHAIR_CURSOR;
-    case ui::PointerShape::text:
-        return GLFW_IBEAM_CURSOR;
-    case ui::PointerShape::resizeAcross:
-        return GLFW_HRESIZE_CURSOR;
-    case ui::PointerShape::resizeAlong:
-        return GLFW_VRESIZE_CURSOR;
-    case ui::PointerShape::arrow:
-        break;
+    case ui::PointerShape::cross: return GLFW_CROSSHAIR_CURSOR;
+    case ui::PointerShape::text: return GLFW_IBEAM_CURSOR;
+    case ui::PointerShape::resizeAcross: return GLFW_HRESIZE_CURSOR;
+    case ui::PointerShape::resizeAlong: return GLFW_VRESIZE_CURSOR;
+    case ui::PointerShape::arrow: break;
     }
     return GLFW_ARROW_CURSOR;
 }
@@ -118,8 +108,8 @@ struct Window::Listener {
         glfwGetWindowSize(window, &across, &down);
         glfwGetFramebufferSize(window, &pixelsAcross, &pixelsDown);
         if (across > 0 && down > 0) {
-            of(window).queue.push(ui::PointerMoved{x * pixelsAcross / across,
-                                                   y * pixelsDown / down});
+            of(window).queue.push(
+                ui::PointerMoved{x * pixelsAcross / across, y * pixelsDown / down});
         }
     }
 
@@ -159,8 +149,8 @@ struct Window::Listener {
         }
         const auto named = keyFrom(key, scancode);
         const auto down = action != GLFW_RELEASE;
-        of(window).queue.push(ui::KeyChanged{named, down, action == GLFW_REPEAT,
-                                             modifiersAfter(named, down, mods)});
+        of(window).queue.push(
+            ui::KeyChanged{named, down, action == GLFW_REPEAT, modifiersAfter(named, down, mods)});
     }
 
     static void textTyped(GLFWwindow* window, unsigned character) {
@@ -226,7 +216,8 @@ void Window::Closed::operator()(GLFWcursor* cursor) const {
 Window::Window(const WindowOptions& options, ui::InputQueue& queue)
     : listener_(new Listener{queue}), title_(options.title) {
     askForCoreContext(options);
-    window_.reset(glfwCreateWindow(options.width, options.height, title_.c_str(), nullptr, nullptr));
+    window_.reset(
+        glfwCreateWindow(options.width, options.height, title_.c_str(), nullptr, nullptr));
     if (!window_) {
         throw WindowError("no OpenGL 3.3 to draw with: " + toolkitFault() +
                           " (install or update the graphics driver; Mesa's software driver will "
@@ -293,10 +284,6 @@ void Window::waitEvents() {
 
 void Window::waitEvents(double seconds) {
     glfwWaitEventsTimeout(seconds);
-}
-
-void Window::wake() {
-    glfwPostEmptyEvent();
 }
 
 } // namespace splineloft::app

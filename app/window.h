@@ -53,8 +53,6 @@ class Window {
     void waitEvents();
     /// Sleeps until something happens, `seconds` (> 0) at most.
     void waitEvents(double seconds);
-    /// Wakes waitEvents; may be called from another thread.
-    void wake();
 
   private:
     struct Toolkit { // started before the window, ended after it

@@ -14,7 +14,8 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr double fitMargin = 72; // design pixels around a fitted document
+constexpr double longestStep = 0.1; // seconds
+constexpr double fitMargin = 72;    // design pixels around a fitted document
 
 /// Keys that belong to a text field while one is being edited.
 bool isForTextField(const Shortcut& shortcut) {
@@ -92,7 +93,8 @@ void advance(Session& session, double seconds) {
         view.playing = false;
         return;
     }
-    const double part = seconds / view.duration;
+    // The first frame after a long sleep is no leap.
+    const double part = std::min(seconds, longestStep) / view.duration;
     if (view.pace == Even::length) {
         const auto& lengths = study->lengths();
         const double at = lengths.upTo(view.cursor) + part * lengths.total();

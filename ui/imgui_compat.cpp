@@ -144,6 +144,17 @@ void mapKeys([[maybe_unused]] ImGuiIO& io) {
 #endif
 }
 
+ImGuiKeyCode escapeKey() {
+    return ImGui::GetKeyIndex(ImGuiKey_Escape);
+}
+ImGuiKeyCode tabKey() {
+    return ImGui::GetKeyIndex(ImGuiKey_Tab);
+}
+
+bool isActiveWidget(unsigned id) {
+    return ImGui::GetActiveID() == id;
+}
+
 void releaseActiveWidget() {
     ImGui::ClearActiveID();
 }

@@ -14,6 +14,18 @@ void feed(ImGuiIO& io, const InputEvent& event);
 /// Maps its navigation and editing keys to ours, where it does not know keys by name.
 void mapKeys(ImGuiIO& io);
 
+/// Keys as Dear ImGui's own functions want them.
+#if IMGUI_VERSION_NUM >= 18700
+using ImGuiKeyCode = ImGuiKey;
+#else
+using ImGuiKeyCode = int;
+#endif
+ImGuiKeyCode escapeKey();
+ImGuiKeyCode tabKey();
+
+/// Whether the widget of that id is being held or edited.
+bool isActiveWidget(unsigned id);
+
 /// Forgets which widget is being held, as Escape in mid-drag demands.
 void releaseActiveWidget();
 

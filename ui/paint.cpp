@@ -28,11 +28,31 @@ Sign signOf(const SceneMark& mark, const Theme& theme, Colour background, double
     return sign;
 }
 
+/// The points that differ from the one before by what could ever be seen; a repeated point in a
+/// translucent stroke would show as a bead.
+std::vector<ScreenPoint> withoutRepeats(std::span<const ScreenPoint> points, bool closed) {
+    constexpr double least = 1e-3; // pixels
+    const auto same = [](ScreenPoint a, ScreenPoint b) {
+        return std::abs(a.x - b.x) < least && std::abs(a.y - b.y) < least;
+    };
+    std::vector<ScreenPoint> apart;
+    for (const auto& point : points) {
+        if (apart.empty() || !same(apart.back(), point)) {
+            apart.push_back(point);
+        }
+    }
+    while (closed && apart.size() > 1 && same(apart.front(), apart.back())) {
+        apart.pop_back();
+    }
+    return apart;
+}
+
 } // namespace
 
 void addStroke(Picture& picture, std::span<const ScreenPoint> points, const StrokeStyle& style,
                bool closed) {
-    if (points.empty()) {
+    const auto apart = withoutRepeats(points, closed);
+    if (apart.empty()) {
         return;
     }
     RibbonVertex vertex{.dash = style.dash, .gap = style.gap, .colour = style.colour};
@@ -42,18 +62,18 @@ void addStroke(Picture& picture, std::span<const ScreenPoint> points, const Stro
         vertex.halfWidth = halfWidth;
         picture.ribbons.push_back(vertex);
     };
-    append(closed ? points.back() : points.front(), 0);
+    append(closed ? apart.back() : apart.front(), 0);
     double along = 0;
-    for (std::size_t i = 0; i < points.size() + (closed ? 1 : 0); ++i) {
-        const ScreenPoint p = points[i % points.size()];
+    for (std::size_t i = 0; i < apart.size() + (closed ? 1 : 0); ++i) {
+        const ScreenPoint p = apart[i % apart.size()];
         if (i > 0) {
-            const ScreenPoint before = points[i - 1];
+            const ScreenPoint before = apart[i - 1];
             along += std::hypot(p.x - before.x, p.y - before.y);
         }
         vertex.along = static_cast<float>(along);
         append(p, style.width / 2);
     }
-    append(closed && points.size() > 1 ? points[1] : points.back(), 0);
+    append(closed && apart.size() > 1 ? apart[1] : apart.back(), 0);
 }
 
 Picture paint(const Scene& scene, const Theme& theme, Colour background, double scale) {

@@ -7,6 +7,7 @@ namespace splineloft::ui {
 Session::Session(Document document, std::string file)
     : history(document), path(std::move(file)), saved_(std::move(document)) {
     tidy();
+    restCursor();
 }
 
 const Study* Session::active() const {
@@ -109,6 +110,7 @@ void Session::opened(Document document, std::string file) {
     view.theme = kept.theme;
     view.strip = kept.strip;
     tidy();
+    restCursor();
 }
 
 void Session::wasSaved(std::string file) {
@@ -131,6 +133,12 @@ void Session::complain(std::string text) {
 
 std::string Session::fileName() const {
     return path.empty() ? "untitled" : std::filesystem::path(path).filename().string();
+}
+
+void Session::restCursor() {
+    if (const Study* study = active(); study != nullptr && !study->pieces().empty()) {
+        view.cursor = {study->pieces().size() / 2, 0.6};
+    }
 }
 
 void Session::tidy() {

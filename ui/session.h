@@ -119,6 +119,8 @@ class Session {
   private:
     /// Brings selection, active curve, cursor and studies back into what the document has.
     void tidy();
+    /// Puts the cursor where it shows most: within the middle piece, at the lecture's u = 0.6.
+    void restCursor();
 
     Document saved_;
     std::optional<Departure> afterSave_;

@@ -27,6 +27,38 @@ std::optional<double> parsed(const char* text) {
                                                                  : std::nullopt;
 }
 
+/// The number with as many digits as fit into a field of that width.
+std::string fitting(double value, float width) {
+    const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
+    auto digits = exact(value);
+    for (int count = 9; count > 2 && ImGui::CalcTextSize(digits.c_str()).x > room; --count) {
+        digits = shortened(value, count);
+    }
+    return digits;
+}
+
+/// The text with line ends put in at spaces. (Dear ImGui would also break within 3.1.)
+std::string brokenAtSpaces(const std::string& text, float width) {
+    std::string broken;
+    std::size_t lineStart = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto end = std::min(text.find_first_of(" \n", at), text.size());
+        const auto word = text.substr(at, end - at);
+        const auto line = broken.substr(lineStart) + word;
+        if (broken.size() > lineStart && ImGui::CalcTextSize(line.c_str()).x > width) {
+            broken.back() = '\n'; // the space before the word
+            lineStart = broken.size();
+        }
+        broken += word;
+        if (end < text.size()) {
+            broken += text[end];
+            lineStart = text[end] == '\n' ? broken.size() : lineStart;
+        }
+        at = end + 1;
+    }
+    return broken;
+}
+
 /// Few digits, as a hand can set them: a thousandth of the range, three digits of a ratio.
 double tidied(const Parameter& parameter, double value) {
     if (parameter.scale == Scale::whole) {
@@ -81,22 +113,27 @@ double valueOnTrack(const Parameter& parameter, double position) {
 std::optional<double> numberField(const char* id, double value, double width) {
     // What was typed so far: Dear ImGui forgets it when a click goes to a widget drawn earlier.
     static std::array<char, 64> typed{};
+    const float wide = width < 0 ? ImGui::GetContentRegionAvail().x : static_cast<float>(width);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 opposite{corner.x + wide, corner.y + ImGui::GetFrameHeight()};
+    // A field shows as much as it has room for, and every digit as soon as it is entered.
+    const bool entered = isActiveWidget(ImGui::GetID(id)) || ImGui::IsKeyDown(tabKey()) ||
+                         (ImGui::IsMouseDown(0) && ImGui::IsMouseHoveringRect(corner, opposite));
+    const auto digits = entered ? exact(value) : fitting(value, wide);
     std::array<char, 64> text{};
-    const auto digits = exact(value);
     std::copy_n(digits.begin(), std::min(digits.size(), text.size() - 1), text.begin());
-    ImGui::SetNextItemWidth(static_cast<float>(width));
+    ImGui::SetNextItemWidth(wide);
     ImGui::InputText(id, text.data(), text.size(),
                      ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemActive()) {
         typed = text;
     }
-    if (!ImGui::IsItemDeactivatedAfterEdit() ||
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    if (!ImGui::IsItemDeactivatedAfterEdit() || ImGui::IsKeyPressed(escapeKey())) {
         return std::nullopt;
     }
-    const auto entered =
-        parsed(std::strcmp(text.data(), digits.c_str()) != 0 ? text.data() : typed.data());
-    return entered != value ? entered : std::nullopt;
+    const bool here = std::strcmp(text.data(), digits.c_str()) != 0;
+    const auto wanted = parsed(here ? text.data() : typed.data());
+    return wanted != value ? wanted : std::nullopt;
 }
 
 std::optional<Turned> parameterSlider(const Parameter& parameter, double value,
@@ -130,7 +167,7 @@ std::optional<Turned> parameterSlider(const Parameter& parameter, double value,
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
         memory.SetBool(over, true);
         turned = Turned{parameter.neutral, Phase::commit};
-    } else if (ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    } else if (ImGui::IsItemActive() && ImGui::IsKeyPressed(escapeKey())) {
         memory.SetBool(over, true);
         turned = Turned{value, Phase::cancel};
     } else if (ImGui::IsItemActive() && !memory.GetBool(over)) {
@@ -171,37 +208,50 @@ std::optional<int> choiceOf(const char* id, std::span<const std::string_view> na
     return clicked;
 }
 
-void chip(const std::string& text, bool holds, const Stage& stage) {
+bool toggle(const char* label, bool& on, const Stage& stage) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {stage.px(2), stage.px(2)});
+    const float down = (ImGui::GetTextLineHeight() + stage.px(10) - ImGui::GetFrameHeight()) / 2;
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + down);
+    const bool clicked = ImGui::Checkbox(label, &on);
+    ImGui::PopStyleVar();
+    return clicked;
+}
+
+void chips(std::span<const Chip> row, const Stage& stage) {
     ImGui::PushFont(font(Face::small));
-    const ImVec2 words = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 size{words.x + stage.px(18), words.y + stage.px(9)};
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (ImGui::GetItemRectMax().x + stage.px(6) + size.x < right) {
-        ImGui::SameLine(0, stage.px(6));
-    }
-    const ImVec2 at = ImGui::GetCursorScreenPos();
     auto& list = *ImGui::GetWindowDrawList();
     const auto& s = stage.theme.surfaces;
-    const auto colour = packed(holds ? s.text : s.quiet);
-    const ImVec2 end{at.x + size.x, at.y + size.y};
-    list.AddRectFilled(at, end, packed(holds ? s.raised : s.panel), size.y / 2);
-    list.AddRect(at, end, packed(s.line), size.y / 2);
-    const ImVec2 words0{at.x + stage.px(9), at.y + stage.px(4.5)};
-    list.AddText(words0, colour, text.c_str());
-    if (!holds) {
-        const float y = words0.y + words.y * 0.55F;
-        list.AddLine({words0.x, y}, {words0.x + words.x, y}, colour, stage.px(1.2));
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float right = start.x + ImGui::GetContentRegionAvail().x;
+    ImVec2 at = start;
+    float height = 0;
+    for (const auto& [text, holds] : row) {
+        const ImVec2 words = ImGui::CalcTextSize(text.c_str());
+        const ImVec2 size{words.x + stage.px(18), words.y + stage.px(9)};
+        if (at.x > start.x && at.x + size.x > right) {
+            at = {start.x, at.y + size.y + stage.px(6)};
+        }
+        const ImVec2 end{at.x + size.x, at.y + size.y};
+        const auto colour = packed(holds ? s.text : s.quiet);
+        list.AddRectFilled(at, end, packed(holds ? s.raised : s.panel), size.y / 2);
+        list.AddRect(at, end, packed(s.line), size.y / 2);
+        const ImVec2 first{at.x + stage.px(9), at.y + stage.px(4.5)};
+        list.AddText(first, colour, text.c_str());
+        if (!holds) {
+            const float y = first.y + words.y * 0.55F;
+            list.AddLine({first.x, y}, {first.x + words.x, y}, colour, stage.px(1.2));
+        }
+        height = end.y - start.y;
+        at.x = end.x + stage.px(6);
     }
-    ImGui::Dummy(size);
+    ImGui::Dummy({right - start.x, height});
     ImGui::PopFont();
 }
 
 void quietText(const std::string& text, const Stage& stage) {
     ImGui::PushFont(font(Face::small));
     ImGui::PushStyleColor(ImGuiCol_Text, packed(stage.theme.surfaces.quiet));
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(brokenAtSpaces(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
     ImGui::PopFont();
 }

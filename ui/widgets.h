@@ -30,9 +30,17 @@ std::optional<Turned> parameterSlider(const Parameter& parameter, double value, 
 std::optional<int> choiceOf(const char* id, std::span<const std::string_view> names, int chosen,
                             const Stage& stage, double width);
 
-/// A rounded label; struck through where the property does not hold. Goes to the next line where
-/// the present one is full.
-void chip(const std::string& text, bool holds, const Stage& stage);
+/// A rounded label; struck through where the property does not hold.
+struct Chip {
+    std::string text;
+    bool holds = true;
+};
+
+/// Chips side by side, on as many lines as they need.
+void chips(std::span<const Chip> row, const Stage& stage);
+
+/// A small checkbox; returns whether it was clicked.
+bool toggle(const char* label, bool& on, const Stage& stage);
 
 /// Small quiet text, wrapped.
 void quietText(const std::string& text, const Stage& stage);

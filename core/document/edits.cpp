@@ -79,6 +79,18 @@ void keepInLine(const Curve& before, Curve& after, std::size_t handle,
     }
 }
 
+/// The handles beside an anchor of a Bézier spline: none, one or two.
+std::set<std::size_t> handlesOf(const Curve& curve, std::size_t anchor) {
+    const auto n = curve.points.size();
+    std::set<std::size_t> handles;
+    for (const auto index : {anchor + 1, anchor > 0 ? anchor - 1 : n - 1}) {
+        if (index < n && anchorOf(curve, index) == anchor) {
+            handles.insert(index);
+        }
+    }
+    return handles;
+}
+
 void movePointsOf(Curve& curve, const std::vector<PointId>& ids, const Point& delta) {
     const Curve before = curve;
     std::set<std::size_t> moved;
@@ -89,11 +101,7 @@ void movePointsOf(Curve& curve, const std::vector<PointId>& ids, const Point& de
         }
         moved.insert(id.index);
         if (hasHandles(curve) && id.index % 3 == 0) {
-            for (std::size_t i = 0; i < curve.points.size(); ++i) {
-                if (anchorOf(curve, i) == id.index) {
-                    moved.insert(i);
-                }
-            }
+            moved.merge(handlesOf(curve, id.index));
         }
     }
     for (const auto index : moved) {
@@ -144,31 +152,74 @@ Points catmullRomTangents(const Points& points, bool closed) {
     return tangents;
 }
 
-void eraseFrom(Curve& curve, std::size_t index) {
-    curve.points.erase(index);
-    if (!curve.tangents.empty()) {
-        curve.tangents.erase(index);
+Points without(const Points& points, const std::set<std::size_t>& indices) {
+    Points kept(points.dimension());
+    kept.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!indices.contains(i)) {
+            kept.append(points.at(i));
+        }
     }
+    return kept;
 }
 
-/// Deletes from a Bézier spline: handles first, which are drawn in, then anchors from the back.
+/// An anchor of a Bézier spline with the handles that arrive and leave.
+struct Node {
+    Point arriving, anchor, leaving;
+};
+
+std::vector<Node> nodesOf(const Curve& curve) {
+    std::vector<Node> nodes;
+    const auto n = curve.points.size();
+    for (std::size_t i = 0; i < n; i += 3) {
+        const Point anchor = curve.points.at(i);
+        const bool wraps = i == 0 && curve.closed;
+        nodes.push_back({i > 0   ? curve.points.at(i - 1)
+                         : wraps ? curve.points.at(n - 1)
+                                 : anchor,
+                         anchor, i + 1 < n ? curve.points.at(i + 1) : anchor});
+    }
+    return nodes;
+}
+
+/// The control points of a Bézier spline through these nodes.
+Points pointsThrough(const std::vector<Node>& nodes, const Curve& curve) {
+    Points points(curve.points.dimension());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        if (k > 0) {
+            points.append(nodes[k].arriving);
+        }
+        points.append(nodes[k].anchor);
+        if (k + 1 < nodes.size() || curve.closed) {
+            points.append(nodes[k].leaving);
+        }
+    }
+    if (curve.closed && !nodes.empty()) {
+        points.append(nodes.front().arriving);
+    }
+    return points;
+}
+
+/// Deletes from a Bézier spline: handles are drawn in, anchors go with their handles.
 void deleteFromBezierSpline(Curve& curve, const std::set<std::size_t>& indices) {
+    bool anchorsGo = false;
     for (const auto index : indices) {
         if (const auto anchor = anchorOf(curve, index)) {
             curve.points.set(index, curve.points.at(*anchor));
         }
+        anchorsGo = anchorsGo || index % 3 == 0;
     }
-    for (auto index = indices.rbegin(); index != indices.rend(); ++index) {
-        if (*index % 3 != 0) {
-            continue;
-        }
-        // The anchor and the handles on both sides; at an end, the piece that began there.
-        const auto n = curve.points.size();
-        const auto first = *index == 0 ? 0 : *index + 1 == n && n > 2 ? n - 3 : *index - 1;
-        for (std::size_t k = 0; k < 3 && first < curve.points.size(); ++k) {
-            curve.points.erase(first);
+    if (!anchorsGo) {
+        return;
+    }
+    auto nodes = nodesOf(curve);
+    std::vector<Node> kept;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        if (!indices.contains(3 * k)) {
+            kept.push_back(std::move(nodes[k]));
         }
     }
+    curve.points = pointsThrough(kept, curve);
 }
 
 /// Where the handle leaving the last anchor of a Bézier spline goes, from the anchor, when the next
@@ -301,8 +352,9 @@ Document deletePoints(const Document& document, std::span<const PointId> ids) {
                 deleteFromBezierSpline(curve, indices);
                 return;
             }
-            for (auto index = indices.rbegin(); index != indices.rend(); ++index) {
-                eraseFrom(curve, *index);
+            curve.points = without(curve.points, indices);
+            if (!curve.tangents.empty()) {
+                curve.tangents = without(curve.tangents, indices);
             }
         });
         if (next.curves[i]->points.empty()) {

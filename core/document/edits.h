@@ -10,8 +10,9 @@
 namespace splineloft {
 
 /// Moves control points, and tips of tangents, by `delta`; coordinates that a curve lacks are left
-/// out. Sums are rounded to 14 digits, so that 0.1 moved by 0.2 lies at 0.3. In a Bézier spline an anchor takes its handles with it, and a handle turns its partner
-/// along where the two were in line.
+/// out. Sums are rounded to 14 digits, so that 0.1 moved by 0.2 lies at 0.3. In a Bézier spline an
+/// anchor takes its handles with it, and a handle turns its partner along where the two were in
+/// line.
 Document movePoints(const Document& document, std::span<const PointId> ids, const Point& delta);
 
 /// Puts one control point at `place`, or gives a tangent that value. Nothing else moves.

@@ -1,7 +1,7 @@
 #include "core/formats/document_json.h"
 
-#include "core/formats/json_text.h"
 #include "core/formats/json_tape.h"
+#include "core/formats/json_text.h"
 #include "core/spline/catalog.h"
 
 #include <array>

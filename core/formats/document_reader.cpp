@@ -1,5 +1,5 @@
-// Reading a document: what the format asks of the JSON values. What makes sense for a curve is known
-// to the curves themselves (`problemOf`) and asked of them last.
+// Reading a document: what the format asks of the JSON values. What makes sense for a curve is
+// known to the curves themselves (`problemOf`) and asked of them last.
 #include "core/formats/document_json.h"
 #include "core/formats/json_tape.h"
 #include "core/spline/catalog.h"
@@ -40,7 +40,8 @@ class DocumentReader {
         const JsonPlace top;
         const auto members = membersOf(root, top);
         checkHead(members, top);
-        allowOnly({"$schema", "format", "version", "curves", extrasKey}, members, top, "a document");
+        allowOnly({"$schema", "format", "version", "curves", extrasKey}, members, top,
+                  "a document");
         Document document;
         if (const auto* curves = required(members, "curves", top, "an array of curves")) {
             eachOf(*curves, {top, "curves"}, [&](const JsonValue& value, const JsonPlace& place) {
@@ -103,7 +104,8 @@ class DocumentReader {
         return members;
     }
 
-    template <class Visit> void eachOf(const JsonValue& array, const JsonPlace& place, Visit visit) {
+    template <class Visit>
+    void eachOf(const JsonValue& array, const JsonPlace& place, Visit visit) {
         if (!expect(array, JsonKind::array, place)) {
             return;
         }
@@ -132,7 +134,8 @@ class DocumentReader {
         for (const auto& [key, value] : members) {
             if (std::ranges::find(keys, key) == keys.end()) {
                 refuse({place, key}, inQuotes(key) + " is no key of " + std::string(owner),
-                       "one of " + listed(keys) + "; other data may stand in the document's extras");
+                       "one of " + listed(keys) +
+                           "; other data may stand in the document's extras");
             }
         }
     }

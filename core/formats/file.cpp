@@ -82,15 +82,16 @@ std::optional<fs::path> withoutLinks(fs::path path) {
         if (!fs::is_symlink(path, error)) {
             return path;
         }
-        path = path.parent_path() / fs::read_symlink(path, error); // an absolute target replaces all
+        path =
+            path.parent_path() / fs::read_symlink(path, error); // an absolute target replaces all
     }
     return std::nullopt;
 }
 
 /// Tells this run of the program from an earlier one that had the same process id.
 std::string runName() {
-    static const auto name = std::to_string(
-        std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1));
+    static const auto name = std::to_string(std::chrono::system_clock::now().time_since_epoch() /
+                                            std::chrono::nanoseconds(1));
     return name;
 }
 
@@ -208,7 +209,7 @@ bool isAlive(const Maker& maker) {
 
 Result<std::string> readFile(const fs::path& path) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat status {};
+    struct stat status{};
     if (!file || ::fstat(file.number(), &status) != 0) {
         return refusal(path, errno);
     }

@@ -20,12 +20,15 @@ std::string lineAndColumn(std::string_view text, std::size_t at) {
     const auto before = text.substr(0, at);
     const auto line = 1 + std::ranges::count(before, '\n');
     const auto lineStart = before.rfind('\n') + 1; // none found, npos, gives 0
-    const auto beginsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+    const auto beginsCharacter = [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    };
     const auto column = 1 + std::ranges::count_if(before.substr(lineStart), beginsCharacter);
     return std::to_string(line) + ":" + std::to_string(column);
 }
 
-/// The library's words for a syntax error, e.g. "... while parsing value - unexpected '}'; last read:
+/// The library's words for a syntax error, e.g. "... while parsing value - unexpected '}'; last
+/// read:
 /// '[1,}'; expected '[', '{', or a literal", taken apart.
 Refusal syntaxRefusal(std::string place, std::string_view words) {
     if (const auto dash = words.find(" - "); dash != words.npos) {
@@ -59,7 +62,8 @@ class JsonTapeWriter {
         : source_(source), kept_(kept) {}
 
     bool null() {
-        return keeping() ? keep([](JsonText& text) { text.null(); }) : put(JsonCell(JsonKind::null));
+        return keeping() ? keep([](JsonText& text) { text.null(); })
+                         : put(JsonCell(JsonKind::null));
     }
     bool boolean(bool value) {
         if (keeping()) {
@@ -116,7 +120,8 @@ class JsonTapeWriter {
             return refuse(pointer(), "is too large a number: " + inQuotes(asSpelled(token)),
                           "a number that fits into 64 bits");
         }
-        refusal_ = syntaxRefusal(lineAndColumn(source_, position == 0 ? 0 : position - 1), error.what());
+        refusal_ =
+            syntaxRefusal(lineAndColumn(source_, position == 0 ? 0 : position - 1), error.what());
         return false;
     }
 
@@ -227,7 +232,7 @@ class JsonTapeWriter {
 
     std::string_view source_;
     std::optional<std::string_view> kept_; ///< key of the member to be kept; none: the whole
-    std::size_t keptLevel_ = 0;            ///< number of levels down to the kept object, while in it
+    std::size_t keptLevel_ = 0; ///< number of levels down to the kept object, while in it
     std::vector<Level> levels_;
     JsonTape tape_;
     JsonText keptText_;
@@ -251,7 +256,9 @@ Result<JsonTape> read(std::string_view text, std::optional<std::string_view> kep
 
 } // namespace
 
-Result<JsonTape> readJson(std::string_view text, std::string_view kept) { return read(text, kept); }
+Result<JsonTape> readJson(std::string_view text, std::string_view kept) {
+    return read(text, kept);
+}
 
 Result<std::string> tidyObject(std::string_view text) {
     auto tape = read(text, std::nullopt);

@@ -32,17 +32,20 @@ std::string pointerToken(std::string_view key) {
     return key.size() > longestToken ? token + "..." : token;
 }
 
-std::string pointerToken(std::size_t index) { return pointerToken(std::to_string(index)); }
+std::string pointerToken(std::size_t index) {
+    return pointerToken(std::to_string(index));
+}
 
 std::string JsonPlace::pointer() const {
     if (within_ == nullptr) {
         return "";
     }
-    return within_->pointer() +
-           (index_ == notAnIndex ? pointerToken(key_) : pointerToken(index_));
+    return within_->pointer() + (index_ == notAnIndex ? pointerToken(key_) : pointerToken(index_));
 }
 
-const JsonCell& JsonValue::cell() const { return tape_->cells_[at_]; }
+const JsonCell& JsonValue::cell() const {
+    return tape_->cells_[at_];
+}
 
 std::string_view JsonValue::text() const {
     const auto& where = cell().text;

@@ -2,8 +2,8 @@
 // they stand there.
 //
 // What JSON readers often let pass is refused here, with its place: keys that stand twice, bytes
-// after the end or after a NUL, numbers too large, nesting without end. Nothing recurses, and a value
-// takes 16 bytes, so a hostile text costs no more than a few times its size.
+// after the end or after a NUL, numbers too large, nesting without end. Nothing recurses, and a
+// value takes 16 bytes, so a hostile text costs no more than a few times its size.
 #pragma once
 
 #include "core/formats/result.h"
@@ -27,8 +27,8 @@ enum class JsonKind : std::uint8_t { null, boolean, number, text, array, object 
 /// In words, e.g. "is a number".
 std::string_view describe(JsonKind kind);
 
-/// A place within a JSON text, spelled out only when it is asked for. It refers to the place that it
-/// lies in, which must outlive it.
+/// A place within a JSON text, spelled out only when it is asked for. It refers to the place that
+/// it lies in, which must outlive it.
 class JsonPlace {
   public:
     JsonPlace() = default; ///< the whole text
@@ -107,8 +107,8 @@ class JsonTape {
     std::string keptText_;
 };
 
-/// Reads a text. An object that is the member `kept` of the outermost object is kept as text, tidied
-/// but with every number spelled as it was; on the tape it is empty.
+/// Reads a text. An object that is the member `kept` of the outermost object is kept as text,
+/// tidied but with every number spelled as it was; on the tape it is empty.
 Result<JsonTape> readJson(std::string_view text, std::string_view kept);
 
 /// Tidies the text of one JSON object: our layout, numbers spelled as they were.

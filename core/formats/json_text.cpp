@@ -66,7 +66,9 @@ void JsonText::key(std::string_view name) {
     afterKey_ = true;
 }
 
-void JsonText::text(std::string_view value) { raw(spelled(value)); }
+void JsonText::text(std::string_view value) {
+    raw(spelled(value));
+}
 
 void JsonText::number(double value) {
     if (!std::isfinite(value)) {

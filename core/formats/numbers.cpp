@@ -47,6 +47,8 @@ std::optional<double> numberFrom(std::string_view text) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<long long> wholeNumberFrom(std::string_view text) { return wholly<long long>(text); }
+std::optional<long long> wholeNumberFrom(std::string_view text) {
+    return wholly<long long>(text);
+}
 
 } // namespace splineloft

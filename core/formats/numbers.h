@@ -8,9 +8,9 @@
 
 namespace splineloft {
 
-/// The fewest digits that read back as exactly `value`, with an exponent only for the very large and
-/// the very small. Whole numbers have no fraction; minus zero is "-0.0", since a JSON reader may
-/// take "-0" for an integer and lose the sign. `value` must be finite.
+/// The fewest digits that read back as exactly `value`, with an exponent only for the very large
+/// and the very small. Whole numbers have no fraction; minus zero is "-0.0", since a JSON reader
+/// may take "-0" for an integer and lose the sign. `value` must be finite.
 std::string shortest(double value);
 
 /// Appends `shortest(value)`.

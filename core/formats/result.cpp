@@ -29,7 +29,9 @@ std::string onOneLine(std::string_view text) {
     return line;
 }
 
-constexpr bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+constexpr bool continuesCharacter(char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
 
 } // namespace
 

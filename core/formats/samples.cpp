@@ -61,7 +61,8 @@ struct Sampler {
     }
     std::vector<Spot> operator()(const EvenSamples& sampling) const {
         const bool byParameter = sampling.in == EvenSamples::In::parameter;
-        return spread(pieces, lengths, byParameter ? Even::parameter : Even::length, sampling.count);
+        return spread(pieces, lengths, byParameter ? Even::parameter : Even::length,
+                      sampling.count);
     }
 };
 
@@ -69,11 +70,13 @@ std::optional<Refusal> countRefusal(const Sampling& sampling, std::size_t pieces
     const auto* perPiece = std::get_if<StepsPerPiece>(&sampling);
     const auto least = perPiece != nullptr ? std::size_t{1} : std::size_t{2};
     const auto most = perPiece != nullptr ? (mostSamples - 1) / pieces : mostSamples;
-    const auto asked = perPiece != nullptr ? perPiece->steps : std::get<EvenSamples>(sampling).count;
+    const auto asked =
+        perPiece != nullptr ? perPiece->steps : std::get<EvenSamples>(sampling).count;
     if (asked >= least && asked <= most) {
         return std::nullopt;
     }
-    return Refusal{"", "", std::to_string(asked) + (perPiece != nullptr ? " steps a piece" : " samples"),
+    return Refusal{"", "",
+                   std::to_string(asked) + (perPiece != nullptr ? " steps a piece" : " samples"),
                    std::to_string(least) + " to " + std::to_string(most)};
 }
 

@@ -2,8 +2,9 @@
 //
 // Each sample has its parameter t, the length from the start, the time, the position, the tangent
 // (derivative of the position by t) and the curvature (1 / unit of length; in the plane, left turns
-// are positive), which is missing where the speed is zero. Time is the part of the way that has been
-// travelled, from 0 to 1: who travels at constant speed is there at that part of the whole duration.
+// are positive), which is missing where the speed is zero. Time is the part of the way that has
+// been travelled, from 0 to 1: who travels at constant speed is there at that part of the whole
+// duration.
 #pragma once
 
 #include "core/formats/result.h"
@@ -43,7 +44,8 @@ struct SampledPath {
 };
 
 /// Takes the samples of a curve without problem. Refused where it has no piece yet, and where the
-/// samples would be fewer than 2 or more than `mostSamples`; places are JSON pointers from the curve.
+/// samples would be fewer than 2 or more than `mostSamples`; places are JSON pointers from the
+/// curve.
 Result<SampledPath> sampledPath(const Curve& curve, const Sampling& sampling);
 
 /// One line of names, then one line a sample, in the manner of RFC 4180 with line feeds: t, length,

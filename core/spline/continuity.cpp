@@ -152,7 +152,9 @@ std::vector<Joint> jointsOf(const Pieces& pieces, bool closed) {
 
 std::string describe(const Joint& joint) {
     const std::string degrees = rounded(joint.turn * 180 / std::numbers::pi) + "°";
-    const std::string speed = "the speed changes by the factor " + rounded(joint.speedRatio);
+    const std::string speed = joint.speedRatio == 1
+                                  ? "the first derivative jumps by " + rounded(joint.firstJump)
+                                  : "the speed changes by the factor " + rounded(joint.speedRatio);
     const std::string second = "the second derivative jumps by " + rounded(joint.secondJump);
     if (joint.c < 0) {
         return "broken: a gap of " + rounded(joint.gap);

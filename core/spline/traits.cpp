@@ -64,15 +64,14 @@ bool hasNegative(std::span<const Blend> bezier) {
     });
 }
 
-/// For each control point the number of pieces that it moves.
+/// For each control point the number of pieces that it moves, however little.
 std::vector<std::size_t> piecesMoved(const BlendPieces& blends) {
     std::vector<std::size_t> moved(blends.controlPoints());
     std::vector<std::size_t> lastSeen(blends.controlPoints(), blends.size());
     for (std::size_t i = 0; i < blends.size(); ++i) {
         for (const auto& blend : blends[i]) {
             for (const auto& [control, weight] : blend.shares()) {
-                const bool counts = control < moved.size() && std::abs(weight) > weightTolerance;
-                if (counts && lastSeen[control] != i) {
+                if (control < moved.size() && weight != 0 && lastSeen[control] != i) {
                     lastSeen[control] = i;
                     ++moved[control];
                 }

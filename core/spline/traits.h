@@ -15,7 +15,7 @@ struct Traits {
     bool throughEnds = false;  ///< it starts at the first control point and ends at the last
     bool affine = false;       ///< weights sum to 1: moving the points moves the curve with them
     bool inHull = false;       ///< weights are never negative: the curve stays in the convex hull
-    bool global = false;       ///< some control point moves every one of three or more pieces
+    bool global = false;       ///< every control point moves every piece, however little
     std::size_t reach = 0;     ///< most pieces that one control point moves
     std::vector<Joint> joints;
     int c = 2, g = 2; ///< the least continuity of any joint

@@ -47,7 +47,7 @@ Document withNewCurve(const Document& document, const View& view, PlanePoint at)
     return addCurve(document, std::move(curve));
 }
 
-// --- idle ---------------------------------------------------------------------------------------
+// --- idle
 
 Reaction hover(const View& view, const PointerEvent& event, const Situation& s) {
     Reaction reaction = stay(Idle{}, view);
@@ -101,7 +101,7 @@ Reaction pressCurve(const View& view, const PointerEvent& event, const CurveHit&
 }
 
 Reaction pressWithPen(const View& view, const PointerEvent& event, const Situation& s) {
-    const PlanePoint at = s.viewport.toPlane(event.at);
+    const PlanePoint at = tidied(s.viewport.toPlane(event.at), s.viewport.camera);
     Reaction reaction = stay(Idle{}, view);
     const bool going =
         view.activeCurve < s.settled.curves.size() && !s.settled.curves[view.activeCurve]->closed;
@@ -161,7 +161,6 @@ Reaction step(const Idle& idle, const View& view, const PointerEvent& event, con
 }
 
 // --- dragging control points
-// ----------------------------------------------------------------------
 
 /// The whole displacement of a drag, from where it began: nothing adds up.
 SnappedMove moveOf(const DraggingPoints& drag, const View& view, const PointerEvent& event,
@@ -171,7 +170,8 @@ SnappedMove moveOf(const DraggingPoints& drag, const View& view, const PointerEv
     if (event.modifiers.shift) {
         (std::abs(move.dx) >= std::abs(move.dy) ? move.dy : move.dx) = 0;
     }
-    return event.modifiers.control ? snapped(move, drag.ids, drag.grabbed, view, s) : move;
+    return event.modifiers.control ? snapped(move, drag.ids, drag.grabbed, view, s)
+                                   : tidied(move, drag.grabbed, view, s);
 }
 
 Document dragged(const DraggingPoints& drag, const SnappedMove& move, const View& view,
@@ -213,7 +213,6 @@ Reaction step(const DraggingPoints& drag, const View& view, const PointerEvent& 
 }
 
 // --- the other gestures
-// ---------------------------------------------------------------------------
 
 Reaction step(const Boxing& box, const View& view, const PointerEvent& event, const Situation& s) {
     if (event.kind == Kind::cancel) {

@@ -21,9 +21,9 @@ struct PlacedLabel {
     ScreenRect rect;
 };
 
-/// Tries eight places around each label's point, nearest first; a label that is not optional and
-/// finds no room takes its first place all the same. Fixed labels stay where they are, unless
-/// something already lies there.
+/// Tries places around each label's point and prefers those with no line under them; a label that
+/// is not optional and finds no room takes its first place all the same. Fixed labels stay where
+/// they are, unless something already lies there.
 std::vector<PlacedLabel> placeLabels(const Scene& scene, const MeasureText& measure,
                                      double markRadius);
 

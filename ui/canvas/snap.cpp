@@ -34,6 +34,12 @@ std::optional<PlanePoint> nearbyPoint(PlanePoint wanted, const std::vector<Point
     return found;
 }
 
+/// From `start` to `place`; a move along one axis only (Shift) stays on it.
+SnappedMove moveTo(PlanePoint place, PlanePoint start, const SnappedMove& move,
+                   std::optional<PlanePoint> cue) {
+    return {move.dx == 0 ? 0 : place.x - start.x, move.dy == 0 ? 0 : place.y - start.y, cue};
+}
+
 } // namespace
 
 SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
@@ -43,11 +49,21 @@ SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
     auto to = nearbyPoint(wanted, ids, view, situation);
     if (!to) {
         const double step = fineGridStep(situation.viewport.camera, situation.scale);
-        to = PlanePoint{std::round(wanted.x / step) * step, std::round(wanted.y / step) * step};
+        to = PlanePoint{roundedTo(wanted.x, step), roundedTo(wanted.y, step)};
     }
-    // A move along one axis only (Shift) stays on it.
-    SnappedMove result{move.dx == 0 ? 0 : to->x - start.x, move.dy == 0 ? 0 : to->y - start.y, to};
-    return result;
+    return moveTo(*to, start, move, to);
+}
+
+PlanePoint tidied(PlanePoint place, const Camera& camera) {
+    const double step = std::pow(10.0, std::floor(-std::log10(camera.pixelsPerUnit)));
+    return {roundedTo(place.x, step), roundedTo(place.y, step)};
+}
+
+SnappedMove tidied(const SnappedMove& move, const PointId& grabbed, const View& view,
+                   const Situation& situation) {
+    const PlanePoint start = startOf(grabbed, view, situation);
+    const PlanePoint wanted{start.x + move.dx, start.y + move.dy};
+    return moveTo(tidied(wanted, situation.viewport.camera), start, move, std::nullopt);
 }
 
 } // namespace splineloft::ui

@@ -18,4 +18,12 @@ struct SnappedMove {
 SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
                     const PointId& grabbed, const View& view, const Situation& situation);
 
+/// The displacement that puts `grabbed` on a decimal that one pixel can tell apart, so that
+/// coordinates stay as short as a hand is exact.
+SnappedMove tidied(const SnappedMove& move, const PointId& grabbed, const View& view,
+                   const Situation& situation);
+
+/// The same for a place.
+PlanePoint tidied(PlanePoint place, const Camera& camera);
+
 } // namespace splineloft::ui

@@ -67,6 +67,12 @@ double gridStep(const Camera& camera, double pixels) {
     return 10 * decade;
 }
 
+double roundedTo(double value, double step) {
+    // Dividing by a whole number keeps 0.3 from becoming 3 * 0.1.
+    return step < 1 ? std::round(value / step) / std::round(1 / step)
+                    : std::round(value / step) * step;
+}
+
 Pieces flattened(const Pieces& pieces, const Axes& axes) {
     const int dimension = pieces.dimension();
     if (dimension == 2 && axes == Axes{}) {

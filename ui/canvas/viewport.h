@@ -30,6 +30,9 @@ Camera fitted(PlanePoint low, PlanePoint high, const ScreenRect& frame, double m
 /// times a power of ten.
 double gridStep(const Camera& camera, double pixels);
 
+/// The multiple of `step` nearest to `value`, as its decimals read.
+double roundedTo(double value, double step);
+
 /// The curve as it lies in the plane of the canvas.
 Pieces flattened(const Pieces& pieces, const Axes& axes);
 

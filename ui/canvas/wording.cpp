@@ -37,6 +37,10 @@ std::string significant(double value, int digits) {
     return withTrueMinus(written(value, std::chars_format::general, digits));
 }
 
+std::string shortened(double value, int digits) {
+    return written(value, std::chars_format::general, digits);
+}
+
 std::string exact(double value) {
     return written(value);
 }

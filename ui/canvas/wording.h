@@ -14,6 +14,9 @@ std::string fixed(double value, int digits);
 /// `value` with about `digits` significant digits, shortest of plain and scientific.
 std::string significant(double value, int digits);
 
+/// The same with a plain "-", as number fields read it back.
+std::string shortened(double value, int digits);
+
 /// The shortest digits that read back as exactly `value`.
 std::string exact(double value);
 

@@ -50,7 +50,9 @@ Modifiers heldModifiers() {
 
 void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent> events) {
     session.canvas = stage.rect;
-    beginPanel("canvas", stage, true);
+    beginPanel("canvas", stage,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::SetCursorPos({0, 0});
     ImGui::InvisibleButton(
         "surface", {static_cast<float>(stage.rect.width), static_cast<float>(stage.rect.height)},

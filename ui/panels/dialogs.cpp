@@ -1,4 +1,5 @@
 #include "ui/commands.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/browser.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets.h"
@@ -108,7 +109,7 @@ void drawDialog(Session& session, const Stage& window) {
                                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove)) {
         return;
     }
-    const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool escaped = ImGui::IsKeyPressed(escapeKey());
     if (auto* browser = std::get_if<FileBrowser>(&*session.dialog)) {
         if (const auto request = drawBrowser(*browser, window)) {
             session.dialog.reset();

@@ -101,8 +101,8 @@ class Inspector {
         }
         bool closed = curve.closed;
         if (!study.family().closable) {
-            ImGui::TextDisabled("This family is always open.");
-        } else if (ImGui::Checkbox("Closed", &closed)) {
+            quietText("This family is always open.", stage_);
+        } else if (toggle("Closed", closed, stage_)) {
             commit(setClosed(settled(), view_.activeCurve, closed),
                    closed ? "Close the curve" : "Open the curve");
         }
@@ -116,17 +116,15 @@ class Inspector {
         const auto& t = study.traits();
         static constexpr std::array<const char*, 4> orders = {"⁻¹", "⁰", "¹", "²"};
         const auto order = [](int n) { return orders[static_cast<std::size_t>(n + 1)]; };
-        ImGui::Dummy({0, 0});
-        chip("through points", t.throughAll, stage_);
-        chip("in hull", t.inHull, stage_);
-        chip(t.global
-                 ? "every point moves all"
-                 : "moves ≤ " + std::to_string(t.reach) + (t.reach == 1 ? " piece" : " pieces"),
-             true, stage_);
+        std::vector<Chip> row = {{"through points", t.throughAll}, {"in hull", t.inHull}};
+        row.push_back({t.global ? "every point moves all"
+                                : "moves ≤ " + std::to_string(t.reach) +
+                                      (t.reach == 1 ? " piece" : " pieces")});
         if (!t.joints.empty()) {
-            chip("C" + std::string(order(t.c)), true, stage_);
-            chip("G" + std::string(order(t.g)), true, stage_);
+            row.push_back({"C" + std::string(order(t.c))});
+            row.push_back({"G" + std::string(order(t.g))});
         }
+        chips(row, stage_);
         if (!study.measuredWhole()) {
             quietText("Measured on the first points of many.", stage_);
         }
@@ -134,17 +132,53 @@ class Inspector {
         ImGui::Spacing();
     }
 
+    /// Which coordinates the canvas shows, where there are more than two.
+    void axes(const Study& study) {
+        const auto& names = study.curve().coordinates;
+        if (names.size() < 3) {
+            return;
+        }
+        heading("Canvas shows");
+        const auto pick = [&](const char* label, int& axis) {
+            ImGui::SetNextItemWidth(stage_.px(86));
+            const auto now = std::min(static_cast<std::size_t>(axis), names.size() - 1);
+            if (ImGui::BeginCombo(label, names[now].c_str())) {
+                for (std::size_t i = 0; i < names.size(); ++i) {
+                    if (ImGui::Selectable(names[i].c_str(), i == now)) {
+                        axis = static_cast<int>(i);
+                        view_.fitPending = true;
+                    }
+                }
+                ImGui::EndCombo();
+            }
+        };
+        pick("across", view_.axes.across);
+        ImGui::SameLine(0, stage_.px(14));
+        pick("up", view_.axes.up);
+        ImGui::Spacing();
+    }
+
     void points(const Study& study) {
         const Curve& curve = study.curve();
         const int dimension = curve.points.dimension();
         heading("Points");
+        // Up to three coordinates share the width; more are scrolled through.
+        const bool wide = dimension > 3;
+        const auto rows = static_cast<float>(curve.points.size() + curve.tangents.size() + 1);
+        const float height =
+            wide ? std::min(rows * stage_.px(25) + stage_.px(14), stage_.px(420)) : 0;
         if (!ImGui::BeginTable("points", dimension + 1,
-                               ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_RowBg)) {
+                               ImGuiTableFlags_RowBg |
+                                   (wide ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                               ImGuiTableFlags_SizingFixedFit
+                                         : ImGuiTableFlags_SizingStretchSame),
+                               {0, height})) {
             return;
         }
+        ImGui::TableSetupScrollFreeze(wide ? 1 : 0, wide ? 1 : 0);
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, stage_.px(50));
         for (const auto& name : curve.coordinates) {
-            ImGui::TableSetupColumn(name.c_str());
+            ImGui::TableSetupColumn(name.c_str(), 0, wide ? stage_.px(72) : 0);
         }
         header(curve);
         ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
@@ -174,16 +208,14 @@ class Inspector {
 
     void heading(const char* text) { quietText(text, stage_); }
 
-    /// The continuity of each joint, in words; the one the cursor is nearest to stands out.
+    /// The continuity of each joint, in words.
     void joints(const Traits& t) {
-        if (t.joints.empty() ||
-            !ImGui::TreeNodeEx("Joints", ImGuiTreeNodeFlags_DefaultOpen |
-                                             ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                                             ImGuiTreeNodeFlags_FramePadding)) {
+        if (t.joints.empty()) {
             return;
         }
+        ImGui::Spacing();
+        heading("Joints");
         const auto most = std::min<std::size_t>(t.joints.size(), 64);
-        std::string before;
         for (std::size_t i = 0; i < most;) {
             // Joints in a row that are alike share a line.
             std::size_t last = i;
@@ -214,7 +246,11 @@ class Inspector {
         ImGui::PushID(tangent ? 1 : 0);
         ImGui::PushID(static_cast<int>(id.index));
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable("##row", view_.selection.contains(id), 0, {0, stage_.px(20)})) {
+        if (view_.selection.contains(id)) {
+            ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1,
+                                   packed(stage_.theme.surfaces.accentSoft));
+        }
+        if (ImGui::Selectable("##row", false, 0, {0, stage_.px(20)})) {
             if (!ImGui::GetIO().KeyShift) {
                 view_.selection.clear();
             }
@@ -259,6 +295,7 @@ std::optional<Edit> drawInspector(const Session& session, View& view, const Stag
         inspector.parameters(*study);
         inspector.ends(*study);
         inspector.traits(*study);
+        inspector.axes(*study);
         inspector.points(*study);
     } else {
         quietText(

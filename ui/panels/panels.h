@@ -34,8 +34,8 @@ void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent
 /// The dialog that stands in front, if one does.
 void drawDialog(Session& session, const Stage& window);
 
-/// Begins a window that fills a stage and cannot be moved; `bare` leaves its background open.
+/// Begins a window that fills a stage and cannot be moved, with more of ImGuiWindowFlags if wanted.
 /// Ends with ImGui::End().
-void beginPanel(const char* name, const Stage& stage, bool bare = false);
+void beginPanel(const char* name, const Stage& stage, int moreFlags = 0);
 
 } // namespace splineloft::ui

@@ -57,7 +57,7 @@ void drawStatus(const Session& session, const Stage& stage) {
     ImGui::End();
 }
 
-void beginPanel(const char* name, const Stage& stage, bool bare) {
+void beginPanel(const char* name, const Stage& stage, int moreFlags) {
     ImGui::SetNextWindowPos(
         {static_cast<float>(stage.rect.left), static_cast<float>(stage.rect.top)});
     ImGui::SetNextWindowSize(
@@ -66,9 +66,7 @@ void beginPanel(const char* name, const Stage& stage, bool bare) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavInputs |
-                     (bare ? ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                                 ImGuiWindowFlags_NoScrollWithMouse
-                           : 0));
+                     moreFlags);
 }
 
 } // namespace splineloft::ui

@@ -25,26 +25,35 @@ void drawTransport(View& view, const Stage& stage) {
     }
     explain("Plays u along the curve (Space)");
     ImGui::SameLine(0, stage.px(14));
-    static constexpr std::array<std::string_view, 2> paces = {"even in length", "even in u"};
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("even in");
+    ImGui::SameLine();
+    static constexpr std::array<std::string_view, 2> paces = {"length", "u"};
     const int pace = view.pace == Even::length ? 0 : 1;
-    if (const auto chosen = choiceOf("pace", paces, pace, stage, stage.px(232))) {
+    if (const auto chosen = choiceOf("pace", paces, pace, stage, stage.px(132))) {
         view.pace = *chosen == 0 ? Even::length : Even::parameter;
     }
     ImGui::SameLine(0, stage.px(14));
-    ImGui::Checkbox("beads", &view.layers.beads);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("in");
+    ImGui::SameLine();
+    if (const auto seconds = numberField("##duration", view.duration, stage.px(52))) {
+        view.duration = std::clamp(*seconds, 0.1, 600.0);
+    }
+    explain("Seconds from start to end");
+    ImGui::SameLine();
+    ImGui::TextUnformatted("s");
+    ImGui::SameLine(0, stage.px(18));
+    const float line = ImGui::GetCursorPosY();
+    toggle("beads", view.layers.beads, stage);
     if (view.layers.beads) {
         ImGui::SameLine();
-        ImGui::SetNextItemWidth(stage.px(80));
-        ImGui::SliderInt("##count", &view.beads, 2, 100, "%d");
-        view.beads = std::clamp(view.beads, 2, 1000);
+        ImGui::SetCursorPosY(line);
+        if (const auto count = numberField("##beads", view.beads, stage.px(52))) {
+            view.beads = static_cast<int>(std::clamp(*count, 2.0, 1000.0));
+        }
+        explain("How many beads: 2 to 1000");
     }
-    ImGui::SameLine(0, stage.px(14));
-    auto seconds = static_cast<float>(view.duration);
-    ImGui::SetNextItemWidth(stage.px(80));
-    if (ImGui::SliderFloat("##duration", &seconds, 1, 20, "%.1f s")) {
-        view.duration = std::clamp(static_cast<double>(seconds), 0.1, 600.0);
-    }
-    explain("Time from start to end");
 }
 
 /// Each control's share at the cursor, and their sum.
@@ -120,7 +129,9 @@ std::optional<StripFrames> drawStrip(const Session& session, View& view, const S
         return std::nullopt;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(14), stage.px(7)});
-    beginPanel("strip", stage, true);
+    beginPanel("strip", stage,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     const Study* study = session.active();
     std::optional<StripFrames> frames;
@@ -147,8 +158,9 @@ std::optional<StripFrames> drawStrip(const Session& session, View& view, const S
             }
             const double left = stage.rect.right() - weightsWidth * stage.scale;
             drawWeights(*study, view, stage,
-                        {left, stage.rect.top + 12 * stage.scale, (weightsWidth - 18) * stage.scale,
-                         stage.rect.height - 16 * stage.scale});
+                        {left, stage.rect.top + headHeight * stage.scale,
+                         (weightsWidth - 18) * stage.scale,
+                         stage.rect.height - (headHeight + 4) * stage.scale});
         }
     }
     ImGui::End();

@@ -43,7 +43,7 @@ void drawButton(Session& session, const RailButton& button, const Stage& stage) 
 
 void drawToolRail(Session& session, const Stage& stage) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(6), stage.px(8)});
-    beginPanel("tools", stage);
+    beginPanel("tools", stage, ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     for (const auto& button : buttons) {
         if (button.startsGroup) {
