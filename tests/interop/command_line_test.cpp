@@ -1,0 +1,372 @@
+// The command line, called as main calls it: what it prints, what it refuses, its exit codes.
+#include "app/command_line.h"
+
+#include "core/formats/file.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace splineloft {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// What one call of the program did.
+struct Ran {
+    Command command;
+    std::string out, err;
+
+    int exitCode() const {
+        const auto* finished = std::get_if<Finished>(&command);
+        return finished != nullptr ? finished->exitCode : -1;
+    }
+};
+
+Ran run(std::vector<std::string> arguments, const std::string& input = "") {
+    arguments.insert(arguments.begin(), "splineloft");
+    std::vector<const char*> argv;
+    for (const auto& argument : arguments) {
+        argv.push_back(argument.c_str());
+    }
+    std::istringstream in(input);
+    std::ostringstream out, err;
+    auto command = runCommandLine(static_cast<int>(argv.size()), argv.data(), {in, out, err});
+    return {std::move(command), out.str(), err.str()};
+}
+
+std::string curves(const std::string& list) {
+    return R"({"format": "splineloft", "version": 1, "curves": [)" + list + "]}";
+}
+
+// Off the origin and without symmetry, so that wrong signs show.
+const std::string path = R"({"name": "path", "family": "cardinal",
+    "points": [[-3.5, 0.25], [-1, 2], [2.25, -1.5], [4, 1]]})";
+const std::string number =
+    R"({"name": "0", "family": "linear", "points": [[1, 2], [4, 6], [4, 7]]})";
+const std::string uneven = R"({"name": "uneven", "family": "catmull-rom",
+    "parameters": {"alpha": 1}, "points": [[1, 1], [3, 4], [8, 2], [9, 5]]})";
+const std::string hermite = R"({"name": "h", "family": "hermite",
+    "points": [[1, 2], [3, 5]], "tangents": [[0, 0], [2, -1]]})";
+const std::string sample = curves(path + "," + number + "," + uneven + "," + hermite);
+
+json evaluated(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"eval", "-"});
+    const auto ran = run(arguments, sample);
+    EXPECT_EQ(ran.exitCode(), 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+    return json::parse(ran.out);
+}
+
+TEST(CommandLine, evaluatesOnASegment) {
+    const auto spots = evaluated({"--curve", "0", "--segment", "0", "--u", "0,0.25,1"});
+    ASSERT_EQ(spots.size(), 3u);
+    EXPECT_EQ(spots[1]["segment"], 0);
+    EXPECT_EQ(spots[1]["u"], 0.25);
+    EXPECT_EQ(spots[1]["t"], 0.25);
+    EXPECT_EQ(spots[1]["position"], (json{1.75, 3.0}));
+    EXPECT_EQ(spots[1]["first"], (json{3.0, 4.0}));
+    EXPECT_EQ(spots[1]["second"], (json{0.0, 0.0}));
+    EXPECT_EQ(spots[1]["curvature"], 0);
+    EXPECT_EQ(spots[2]["position"], (json{4.0, 6.0}));
+}
+
+TEST(CommandLine, evaluatesAtParameters) {
+    const auto spots = evaluated({"--curve", "path", "--t", "0,1.5,3"});
+    ASSERT_EQ(spots.size(), 3u);
+    EXPECT_EQ(spots[0]["position"], (json{-3.5, 0.25}));
+    EXPECT_EQ(spots[1]["segment"], 1);
+    EXPECT_EQ(spots[1]["u"], 0.5);
+    EXPECT_EQ(spots[2]["segment"], 2);
+    EXPECT_EQ(spots[2]["u"], 1);
+    EXPECT_EQ(spots[2]["position"], (json{4.0, 1.0}));
+}
+
+TEST(CommandLine, derivesByWhatWasAskedFor) {
+    const auto byU = evaluated({"--curve", "uneven", "--segment", "1", "--u", "0.5"});
+    const double t = byU[0]["t"];
+    const auto byT = evaluated({"--curve", "uneven", "--t", json(t).dump()});
+    const double interval = std::hypot(5.0, 2.0);
+    for (const std::size_t c : {0u, 1u}) {
+        EXPECT_NEAR(byT[0]["position"][c], byU[0]["position"][c], 1e-12);
+        EXPECT_NEAR(byT[0]["first"][c].get<double>() * interval, byU[0]["first"][c], 1e-12);
+        EXPECT_NEAR(byT[0]["second"][c].get<double>() * interval * interval, byU[0]["second"][c],
+                    1e-11);
+    }
+    EXPECT_NEAR(byT[0]["curvature"], byU[0]["curvature"], 1e-12);
+}
+
+TEST(CommandLine, hasNoCurvatureAtRest) {
+    const auto spots = evaluated({"--curve", "h", "--t", "0"});
+    EXPECT_TRUE(spots[0]["curvature"].is_null());
+}
+
+TEST(CommandLine, weightsRebuildTheCurve) {
+    for (const std::string curve : {"path", "uneven"}) {
+        const auto spots = evaluated({"--curve", curve, "--t", "0,0.3,2.7"});
+        const auto ran = run({"basis", "-", "--curve", curve, "--t", "0,0.3,2.7"}, sample);
+        ASSERT_EQ(ran.exitCode(), 0) << ran.err;
+        const auto basis = json::parse(ran.out);
+        const json described = json::parse(sample)["curves"][curve == "path" ? 0 : 2];
+        for (std::size_t i = 0; i < spots.size(); ++i) {
+            double x = 0;
+            double sum = 0;
+            ASSERT_EQ(basis[i]["weights"].size(), 4u);
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double weight = basis[i]["weights"][k];
+                sum += weight;
+                x += weight * described["points"][k][0].get<double>();
+            }
+            EXPECT_EQ(basis[i]["t"], spots[i]["t"]);
+            EXPECT_NEAR(sum, 1, 1e-14);
+            EXPECT_NEAR(x, spots[i]["position"][0], 1e-12);
+            EXPECT_FALSE(basis[i].contains("tangentWeights"));
+        }
+    }
+}
+
+TEST(CommandLine, givesWeightsOfTangentsWhereThereAreAny) {
+    const auto ran = run({"basis", "-", "--curve", "h", "--segment", "0", "--u", "0.5"}, sample);
+    ASSERT_EQ(ran.exitCode(), 0) << ran.err;
+    const auto basis = json::parse(ran.out);
+    EXPECT_EQ(basis[0]["weights"], (json{0.5, 0.5}));
+    EXPECT_EQ(basis[0]["tangentWeights"], (json{0.125, -0.125}));
+}
+
+TEST(CommandLine, prefersANameToAnIndex) {
+    EXPECT_EQ(evaluated({"--curve", "0", "--t", "0"})[0]["position"], (json{1.0, 2.0}));
+    EXPECT_EQ(evaluated({"--curve", "1", "--t", "0"})[0]["position"], (json{1.0, 2.0}));
+    EXPECT_EQ(evaluated({"--t", "0"})[0]["position"], (json{-3.5, 0.25}));
+}
+
+TEST(CommandLine, samples) {
+    const auto csv = run({"sample", "-", "--per-segment", "2"}, sample);
+    EXPECT_EQ(csv.exitCode(), 0) << csv.err;
+    EXPECT_EQ(std::ranges::count(csv.out, '\n'), 1 + 2 * 3 + 1);
+    EXPECT_TRUE(csv.out.starts_with("t,length,time,x,y,")) << csv.out;
+    const auto even =
+        run({"sample", "-", "--curve", "0", "--count", "3", "--spacing", "length"}, sample);
+    EXPECT_EQ(std::ranges::count(even.out, '\n'), 1 + 3);
+    EXPECT_NE(even.out.find("\n2,6,1,4,7,0,1,0\n"), std::string::npos) << even.out;
+}
+
+TEST(CommandLine, samplesIntoFiles) {
+    const auto folder =
+        fs::temp_directory_path() / ("splineloft-cli-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const auto csv = (folder / "out.csv").string();
+    const auto samplesJson = (folder / "out.JSON").string();
+    const auto printed = run({"sample", "-", "--count", "5"}, sample);
+    EXPECT_EQ(run({"sample", "-", "--count", "5", "-o", csv}, sample).out, "");
+    EXPECT_EQ(run({"sample", "-", "--count", "5", "-o", samplesJson}, sample).exitCode(), 0);
+    EXPECT_EQ(*readFile(csv), printed.out);
+    EXPECT_EQ(json::parse(*readFile(samplesJson))["samples"].size(), 5u);
+    const auto missing = run({"sample", "-", "--count", "5", "-o", folder / "no/out.csv"}, sample);
+    EXPECT_EQ(missing.exitCode(), 1);
+    EXPECT_NE(missing.err.find("folder does not exist"), std::string::npos) << missing.err;
+    fs::remove_all(folder);
+}
+
+TEST(CommandLine, checksEveryFile) {
+    const auto folder =
+        fs::temp_directory_path() / ("splineloft-check-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const auto good = (folder / "good.json").string();
+    const auto one = (folder / "one.json").string();
+    const auto bad = (folder / "bad.json").string();
+    std::ofstream(good) << sample;
+    std::ofstream(one) << curves(R"({"family": "linear", "points": [[1, 2]]})");
+    std::ofstream(bad) << curves(R"({"family": "linear", "points": [[1, 2]], "knots": []})");
+    const auto ran = run({"check", good, bad, one, (folder / "missing.json").string()});
+    EXPECT_EQ(ran.exitCode(), 1);
+    EXPECT_EQ(ran.out, good + ": ok (4 curves, 13 points)\n" + one + ": ok (1 curve, 1 point)\n");
+    EXPECT_EQ(std::ranges::count(ran.err, '\n'), 2) << ran.err;
+    EXPECT_TRUE(ran.err.starts_with(bad + ": /curves/0/knots: the family linear takes no knots"))
+        << ran.err;
+    EXPECT_EQ(run({"check", good, one}).exitCode(), 0);
+    EXPECT_EQ(run({"check", "-"}, sample).out, "standard input: ok (4 curves, 13 points)\n");
+    fs::remove_all(folder);
+}
+
+TEST(CommandLine, listsFamilies) {
+    const auto table = run({"families"});
+    EXPECT_EQ(table.exitCode(), 0);
+    EXPECT_NE(table.out.find("bezier-spline"), std::string::npos);
+    const auto list = json::parse(run({"families", "--json"}).out);
+    const auto beta = std::ranges::find_if(list, [](const json& f) { return f["id"] == "beta"; });
+    ASSERT_NE(beta, list.end());
+    EXPECT_EQ((*beta)["parameters"][0]["key"], "bias");
+    EXPECT_EQ((*beta)["parameters"][0]["range"], (json{0.001, 1000}));
+    EXPECT_EQ((*beta)["parameters"][0]["scale"], "ratio");
+    EXPECT_EQ((*beta)["ends"][0], "doubled");
+}
+
+TEST(CommandLine, helps) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                      {"eval", "--help"},
+                                                      {"sample", "-h"},
+                                                      {"--version"}}) {
+        const auto ran = run(arguments);
+        EXPECT_EQ(ran.exitCode(), 0) << arguments[0];
+        EXPECT_FALSE(ran.out.empty());
+        EXPECT_EQ(ran.err, "");
+    }
+    EXPECT_TRUE(run({"--version"}).out.starts_with("splineloft "));
+}
+
+TEST(CommandLine, opensTheEditor) {
+    EXPECT_TRUE(std::get<OpenEditor>(run({}).command).files.empty());
+    EXPECT_EQ(std::get<OpenEditor>(run({"a.json", "b/c.json"}).command).files,
+              (std::vector<std::string>{"a.json", "b/c.json"}));
+    EXPECT_EQ(std::get<OpenEditor>(run({"./eval"}).command).files,
+              std::vector<std::string>{"./eval"});
+    EXPECT_EQ(std::get<OpenEditor>(run({"--", "-odd.json"}).command).files,
+              std::vector<std::string>{"-odd.json"});
+}
+
+TEST(CommandLine, asksForScreenshots) {
+    const auto plain = std::get<DrawScreenshot>(run({"screenshot", "-o", "a.png"}).command);
+    EXPECT_FALSE(plain.file);
+    EXPECT_EQ(plain.output, "a.png");
+    EXPECT_EQ(plain.width, 1280);
+    EXPECT_EQ(plain.height, 800);
+    EXPECT_EQ(plain.theme, "dark");
+    const auto full =
+        std::get<DrawScreenshot>(run({"screenshot", "a.json", "-o", "b.PNG", "--size", "640x480",
+                                      "--theme", "light", "--show", "basis,comb", "--scale", "1.5"})
+                                     .command);
+    EXPECT_EQ(full.file, "a.json");
+    EXPECT_EQ(full.width, 640);
+    EXPECT_EQ(full.height, 480);
+    EXPECT_EQ(full.theme, "light");
+    EXPECT_EQ(full.scale, 1.5);
+    EXPECT_EQ(full.show, (std::vector<std::string>{"basis", "comb"}));
+}
+
+// ---------------------------------------------------------------------------------------------
+// Refused (1), and wrongly called (2)
+
+struct Wrong {
+    const char* title;
+    std::vector<std::string> arguments;
+    int exitCode;
+    std::string words; ///< part of the one line on the standard error
+};
+
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+    *out << wrong.title;
+}
+
+class CommandLineRefuses : public testing::TestWithParam<Wrong> {};
+
+TEST_P(CommandLineRefuses, inOneLine) {
+    const auto& wrong = GetParam();
+    const auto ran = run(wrong.arguments, sample);
+    EXPECT_EQ(ran.exitCode(), wrong.exitCode) << ran.out << ran.err;
+    EXPECT_EQ(ran.out, "");
+    EXPECT_NE(ran.err.find(wrong.words), std::string::npos) << ran.err;
+    EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+    EXPECT_TRUE(ran.err.ends_with('\n'));
+}
+
+std::vector<Wrong> wrongs() {
+    constexpr int refused = 1;
+    constexpr int usage = 2;
+    return {
+        {"segmentTooLarge",
+         {"eval", "-", "--segment", "3", "--u", "0"},
+         refused,
+         "standard input: /curves/0: there is no segment 3; right would be: 0 to 2"},
+        {"segmentNegative", {"eval", "-", "--segment", "-1", "--u", "0"}, refused, "0 to 2"},
+        {"uTooLarge",
+         {"eval", "-", "--segment", "0", "--u", "0,1.5"},
+         refused,
+         "there is no u = 1.5; right would be: 0 to 1"},
+        {"uNegative", {"basis", "-", "--segment", "0", "--u", "-0.1"}, refused, "0 to 1"},
+        {"tTooLarge",
+         {"eval", "-", "--t", "3.5"},
+         refused,
+         "there is no t = 3.5; right would be: 0 to 3"},
+        {"tNegative", {"basis", "-", "--t", "-1"}, refused, "0 to 3"},
+        {"noSuchCurve",
+         {"eval", "-", "--curve", "pth", "--t", "0"},
+         refused,
+         "there is no curve \"pth\"; right would be: one of 0 \"path\", 1 \"0\", 2 \"uneven\", 3"},
+        {"noSuchIndex",
+         {"sample", "-", "--curve", "4", "--count", "3"},
+         refused,
+         "one of 0 \"path\""},
+        {"tooFewSamples", {"sample", "-", "--count", "1"}, refused, "2 to 2000000"},
+        {"tooManySteps", {"sample", "-", "--per-segment", "1000000"}, refused, "1 to 666666"},
+        {"noFile", {"eval", "missing.json", "--t", "0"}, refused, "missing.json: does not exist"},
+        {"noText", {"check", "/"}, refused, "/: is a folder"},
+        {"noSpots", {"eval", "-"}, usage, "give --segment with --u, or --t"},
+        {"segmentAlone", {"eval", "-", "--segment", "0"}, usage, "--segment requires --u"},
+        {"uAlone", {"eval", "-", "--u", "0"}, usage, "--u requires --segment"},
+        {"bothKinds", {"eval", "-", "--t", "0", "--segment", "0", "--u", "0"}, usage, "excludes"},
+        {"notANumber", {"eval", "-", "--t", "0,x"}, usage, "\"x\" is not a number"},
+        {"noNumber", {"eval", "-", "--t", "0,"}, usage, "\"\" is not a number"},
+        {"nan", {"eval", "-", "--t", "nan"}, usage, "\"nan\" is not a number"},
+        {"notWhole", {"eval", "-", "--segment", "0.5", "--u", "0"}, usage, "not a whole number"},
+        {"noCount", {"sample", "-"}, usage, "give --per-segment or --count"},
+        {"bothCounts", {"sample", "-", "--count", "5", "--per-segment", "5"}, usage, "excludes"},
+        {"negativeCount", {"sample", "-", "--count", "-5"}, usage, "negative"},
+        {"unknownSpacing",
+         {"sample", "-", "--count", "5", "--spacing", "even"},
+         usage,
+         "--spacing"},
+        {"unknownOutput", {"sample", "-", "--count", "5", "-o", "a.txt"}, usage, ".csv"},
+        {"fileMissing", {"eval"}, usage, "FILE is required"},
+        {"nothingToCheck", {"check"}, usage, "FILE is required"},
+        {"twoFiles", {"eval", "-", "b.json", "--t", "0"}, usage, "b.json"},
+        {"unknownOption", {"families", "--jason"}, usage, "--jason"},
+        {"unknownCommand", {"evla", "a.json"}, usage, "neither a command nor a file"},
+        {"screenshotWithoutOutput", {"screenshot"}, usage, "-o is required"},
+        {"screenshotAsJpeg", {"screenshot", "-o", "a.jpg"}, usage, ".png"},
+        {"sizeOfOneSide", {"screenshot", "-o", "a.png", "--size", "640"}, usage, "1280x800"},
+        {"sizeTooLarge", {"screenshot", "-o", "a.png", "--size", "640x99999"}, usage, "64 to 8192"},
+        {"unknownTheme", {"screenshot", "-o", "a.png", "--theme", "blue"}, usage, "--theme"},
+        {"scaleTooLarge", {"screenshot", "-o", "a.png", "--scale", "9"}, usage, "0.5 to 4"},
+    };
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CommandLineRefuses, testing::ValuesIn(wrongs()),
+                         [](const auto& each) { return std::string(each.param.title); });
+
+TEST(CommandLine, refusesDocumentsWithoutPieces) {
+    const auto none = run({"eval", "-", "--t", "0"}, curves(""));
+    EXPECT_EQ(none.exitCode(), 1);
+    EXPECT_NE(none.err.find("no curve"), std::string::npos) << none.err;
+    const auto point = curves(R"({"family": "cardinal", "ends": "open", "points": [[1, 2]]})");
+    for (const std::string command : {"eval", "basis"}) {
+        const auto ran = run({command, "-", "--t", "0"}, point);
+        EXPECT_EQ(ran.exitCode(), 1);
+        EXPECT_EQ(ran.err,
+                  "standard input: /curves/0/points: the curve has no piece yet: it needs 3 "
+                  "more points; right would be: at least 4 points\n");
+    }
+}
+
+TEST(CommandLine, refusesAmbiguousNames) {
+    const auto ran = run({"eval", "-", "--curve", "path", "--t", "0"}, curves(path + "," + path));
+    EXPECT_EQ(ran.exitCode(), 1);
+    EXPECT_NE(ran.err.find("several curves"), std::string::npos) << ran.err;
+}
+
+TEST(CommandLine, noticesThatItCannotPrint) {
+    std::istringstream in(sample);
+    std::ofstream full("/dev/full");
+    std::ostringstream err;
+    const char* argv[] = {"splineloft", "families"};
+    const auto command = runCommandLine(2, argv, {in, full, err});
+    EXPECT_EQ(std::get<Finished>(command).exitCode, 1);
+    EXPECT_NE(err.str().find("standard output"), std::string::npos) << err.str();
+}
+
+} // namespace
+} // namespace splineloft

@@ -1,0 +1,171 @@
+// Arc length against closed forms, at cusps, and on pieces that hardly move.
+#include "core/spline/length.h"
+
+#include "core/spline/sample.h"
+#include "tests/property/random_curves.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace splineloft {
+namespace {
+
+/// One Bézier piece through the given points.
+Pieces bezierPiece(Points points) {
+    Curve curve;
+    curve.family = "bezier";
+    curve.ends = Ends::none;
+    curve.coordinates = points.dimension() == 2 ? std::vector<std::string>{"x", "y"}
+                                                : std::vector<std::string>{"x", "y", "z"};
+    curve.points = std::move(points);
+    return piecesOf(curve);
+}
+
+/// The promise of ArcLength: relative error about 1e-14, of the polygon where the curve is short.
+constexpr double promised = 4e-14;
+
+TEST(Length, ofALineIsItsEndsDistanceHoweverUnevenTheSpeed) {
+    const Pieces even = bezierPiece({{100, 50}, {103, 54}});
+    EXPECT_DOUBLE_EQ(ArcLength(even).total(), 5);
+    const Pieces uneven = bezierPiece({{100, 50}, {100.3, 50.4}, {102.7, 53.6}, {103, 54}});
+    EXPECT_NEAR(ArcLength(uneven).total(), 5, 5 * promised);
+    const Pieces inSpace = bezierPiece({{10, 20, 30}, {12, 23, 36}});
+    EXPECT_DOUBLE_EQ(ArcLength(inSpace).total(), 7);
+}
+
+TEST(Length, ofTheParabola) {
+    // y = x^2 from 0 to 1, off the origin: sqrt(5) / 2 + asinh(2) / 4.
+    const Pieces parabola = bezierPiece({{100, 50}, {100.5, 50}, {101, 51}});
+    const double wanted = std::sqrt(5) / 2 + std::asinh(2.0) / 4;
+    EXPECT_NEAR(ArcLength(parabola).total(), wanted, promised * wanted);
+}
+
+TEST(Length, ofTheSemicubicalParabolaThroughItsCusp) {
+    // (t^2, t^3) from t = -1 to t = 2 rests at u = 1/3. From the cusp to t it is
+    // ((4 + 9 t^2)^(3/2) - 8) / 27 long.
+    const Pieces cusped = bezierPiece({{1, -1}, {-1, 2}, {0, -4}, {4, 8}});
+    const auto fromCusp = [](double t) { return (std::pow(4 + 9 * t * t, 1.5) - 8) / 27; };
+    const double wanted = fromCusp(1) + fromCusp(2);
+    const ArcLength lengths(cusped);
+    EXPECT_NEAR(lengths.total(), wanted, promised * wanted);
+    EXPECT_NEAR(lengths.upTo({0, 1.0 / 3}), fromCusp(1), promised * wanted) << "at the cusp";
+    EXPECT_NEAR(lengths.upTo({0, 0.5}), fromCusp(1) + fromCusp(0.5), promised * wanted);
+}
+
+TEST(Length, ofTheCuspedCubic) {
+    // Speed 3 |1 - 2u| sqrt((1 - 2u)^2 + 1): 2 sqrt(2) - 1 in all.
+    const Pieces cusped = bezierPiece({{0, 0}, {1, 1}, {0, 1}, {1, 0}});
+    EXPECT_NEAR(ArcLength(cusped).total(), 2 * std::sqrt(2) - 1, promised * 2);
+    const Pieces straightBack = bezierPiece({{10, 10}, {14, 10}, {14, 10}, {10, 10}});
+    EXPECT_NEAR(ArcLength(straightBack).total(), 6, promised * 6) << "there and back on a line";
+}
+
+TEST(Length, ofRestingPiecesIsFiniteAndQuick) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Point a = {5, 7};
+    for (const auto& points : std::vector<Points>{{{5, 7}, {5, 7}, {5, 7}, {5, 7}},
+                                                  {{5, 7}, {5, 7}, {9, 4}, {9, 4}},
+                                                  {{5, 7}, {5, 7}, {5, 7}, {9, 4}},
+                                                  {{5, 7}, {9, 4}, {5, 7}, {9, 4}},
+                                                  {{5, 7}, {9, 4}, {5, 7}, {5, 7}},
+                                                  {{5, 7}, {5, 7}, {5, 7}, {5, 7.000001}}}) {
+        const Pieces pieces = bezierPiece(points);
+        const ArcLength lengths(pieces);
+        EXPECT_TRUE(std::isfinite(lengths.total()));
+        EXPECT_GE(lengths.total(), distance(a, points.at(3)) * (1 - promised));
+    }
+    const auto took = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(std::chrono::duration<double>(took).count(), 1);
+}
+
+TEST(Length, ofNothingIsNothing) {
+    const Pieces none;
+    const ArcLength lengths(none);
+    EXPECT_EQ(lengths.total(), 0);
+    EXPECT_EQ(lengths.spotAt(3), Spot{});
+    EXPECT_EQ(lengths.upTo({}), 0);
+}
+
+TEST(Length, outsideTheCurveIsTheNearerEnd) {
+    const Pieces pieces = bezierPiece({{100, 50}, {103, 54}});
+    const ArcLength lengths(pieces);
+    EXPECT_EQ(lengths.spotAt(-1), (Spot{0, 0}));
+    EXPECT_EQ(lengths.spotAt(5.1), (Spot{0, 1}));
+    EXPECT_EQ(lengths.spotAt(std::nan("")), (Spot{0, 0}));
+}
+
+class LengthLaws : public testing_curves::EveryFamily {};
+
+double polygonOf(const Pieces& pieces) {
+    double sum = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (int k = 0; k < pieces.degree(); ++k) {
+            sum += distance(pieces[i].bezierPoint(k), pieces[i].bezierPoint(k + 1));
+        }
+    }
+    return sum;
+}
+
+TEST_P(LengthLaws, addsUpAndFindsItsWayBack) {
+    testing_curves::forEveryForm(GetParam(), 6, [](const Curve& curve) {
+        const Pieces pieces = piecesOf(curve);
+        const ArcLength lengths(pieces);
+        const double tolerance = promised * polygonOf(pieces);
+        EXPECT_GE(polygonOf(pieces) + tolerance, lengths.total()) << "no curve exceeds its polygon";
+        double before = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            EXPECT_NEAR(lengths.upTo({i, 0}), before, tolerance) << "start of segment " << i;
+            for (const double u : {0.0, 0.123, 0.5, 0.77, 1.0}) {
+                const double length = lengths.upTo({i, u});
+                EXPECT_GE(length, before - tolerance) << "segment " << i << " u " << u;
+                before = length;
+                const Spot back = lengths.spotAt(length);
+                EXPECT_NEAR(lengths.upTo(back), length, tolerance) << "segment " << i << " u " << u;
+                EXPECT_LE(distance(pieces.position(back), pieces.position({i, u})),
+                          8 * tolerance + 1e-14 * testing_curves::farthest(curve))
+                    << "segment " << i << " u " << u;
+            }
+        }
+        EXPECT_NEAR(before, lengths.total(), tolerance);
+    });
+}
+
+/// Length between two spots by a rule of our own: Simpson's on 2048 steps.
+double simpson(const Pieces& pieces, Spot from, Spot to) {
+    double sum = 0;
+    for (std::size_t i = from.segment; i <= to.segment; ++i) {
+        const double a = i == from.segment ? from.u : 0;
+        const double b = i == to.segment ? to.u : 1;
+        constexpr int steps = 2048;
+        for (int k = 0; k <= steps; ++k) {
+            const double weight = k == 0 || k == steps ? 1 : k % 2 == 1 ? 4 : 2;
+            sum += weight * (b - a) / (3 * steps) *
+                   norm(pieces.jet({i, a + (b - a) * k / steps}).first);
+        }
+    }
+    return sum;
+}
+
+TEST(Length, evenSpacingIsEvenToOnePartInABillion) {
+    Curve curve;
+    curve.closed = true;
+    curve.points = {{100, 50}, {130, 52}, {140, 80}, {111, 91}, {96, 70}};
+    for (const auto* family : {"cardinal", "natural", "b-spline"}) {
+        curve.family = family;
+        curve.ends = testing_curves::formsOf(family).front().ends;
+        const Pieces pieces = piecesOf(curve);
+        const ArcLength lengths(pieces);
+        const auto spots = spread(pieces, lengths, Even::length, 24);
+        const double step = lengths.total() / 23;
+        for (std::size_t i = 1; i < spots.size(); ++i) {
+            EXPECT_NEAR(simpson(pieces, spots[i - 1], spots[i]), step, 1e-9 * step)
+                << family << ' ' << i;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, LengthLaws, testing::ValuesIn(testing_curves::familyIds()),
+                         testing_curves::testNameOf);
+
+} // namespace
+} // namespace splineloft
