@@ -145,15 +145,15 @@ class Search {
 
 } // namespace
 
-std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place) {
-    Nearest best{{}, std::numeric_limits<double>::infinity()};
+std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place, double within) {
+    Nearest best{{}, within};
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const Piece piece = pieces[i];
         if (distanceToHull(piece, place) < best.distance) {
             Search(piece, place, i, best);
         }
     }
-    return pieces.empty() ? std::nullopt : std::optional(best);
+    return best.distance < within ? std::optional(best) : std::nullopt;
 }
 
 std::optional<Box> hullBox(const Pieces& pieces) {

@@ -3,6 +3,7 @@
 
 #include "core/spline/piece.h"
 
+#include <limits>
 #include <optional>
 
 namespace splineloft {
@@ -13,9 +14,10 @@ struct Nearest {
     double distance = 0;
 };
 
-/// The nearest spot of all pieces; nothing where there is no piece. Pieces whose hull lies farther
-/// away than the best spot so far are passed over.
-std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place);
+/// The nearest spot of all pieces, if it is nearer than `within`; nothing where there is no piece.
+/// Pieces whose hull lies farther away than the best spot so far are passed over.
+std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place,
+                                 double within = std::numeric_limits<double>::infinity());
 
 /// Corners of a box along the axes.
 struct Box {

@@ -32,8 +32,8 @@ std::optional<CurveHit> pickCurve(const Studies& studies, const View& view,
     std::optional<CurveHit> hit;
     double best = viewport.toPlane(reach);
     for (std::size_t i = 0; i < studies.size(); ++i) {
-        const auto nearest = nearestTo(studies[i].plane(view.axes), Point{place.x, place.y});
-        if (nearest && nearest->distance < best) {
+        const auto nearest = nearestTo(studies[i].plane(view.axes), Point{place.x, place.y}, best);
+        if (nearest) {
             hit = {i, nearest->spot};
             // The active curve is not lost to another that crosses it.
             best = i == view.activeCurve ? nearest->distance / 2 : nearest->distance;
