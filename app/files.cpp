@@ -29,11 +29,18 @@ Result<Document> documentIn(const std::string& path) {
     return document;
 }
 
+/// Removes what saves that were killed left in the folder of a file.
+void sweepBeside(const std::string& path) {
+    std::error_code failed;
+    sweepStaleTemporaries(fs::absolute(path, failed).parent_path());
+}
+
 void carryOut(ui::Session& session, const ui::OpenFile& request) {
     auto document = documentIn(request.path);
     if (!document) {
         return session.complain(document.refusal().message());
     }
+    sweepBeside(request.path);
     session.opened(std::move(*document), request.path);
     session.say("Opened " + request.path);
 }
@@ -91,7 +98,7 @@ Result<ui::Session> beginSession(const std::vector<std::string>& files) {
     if (!first) {
         return first.refusal();
     }
-    sweepStaleTemporaries(fs::absolute(files.front(), failed).parent_path());
+    sweepBeside(files.front());
     ui::Session session(std::move(*first), files.front());
     for (std::size_t i = 1; i < files.size(); ++i) {
         const auto more = documentIn(files[i]);

@@ -45,6 +45,12 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
             session.leave(Quit{});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key && key->down) {
             const Shortcut shortcut{key->key, key->modifiers};
+            if (isPopupOpen() && !session.dialog) {
+                if (key->key == Key::escape) {
+                    closePopups();
+                }
+                continue; // an open menu has the keyboard
+            }
             const auto& io = ImGui::GetIO();
             const bool typing = io.WantTextInput && isForTextField(shortcut);
             const bool holding = ImGui::IsAnyItemActive() && !io.WantTextInput &&

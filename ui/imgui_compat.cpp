@@ -155,6 +155,16 @@ bool isActiveWidget(unsigned id) {
     return ImGui::GetActiveID() == id;
 }
 
+bool isPopupOpen() {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+void closePopups() {
+    if (isPopupOpen()) {
+        ImGui::ClosePopupToLevel(0, true);
+    }
+}
+
 void releaseActiveWidget() {
     ImGui::ClearActiveID();
 }

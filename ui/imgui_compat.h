@@ -26,6 +26,10 @@ ImGuiKeyCode tabKey();
 /// Whether the widget of that id is being held or edited.
 bool isActiveWidget(unsigned id);
 
+/// Whether a menu or list is open over the panels, and closing all that are.
+bool isPopupOpen();
+void closePopups();
+
 /// Forgets which widget is being held, as Escape in mid-drag demands.
 void releaseActiveWidget();
 

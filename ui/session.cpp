@@ -99,6 +99,11 @@ void Session::browse(FilePurpose purpose) {
     dialog = std::move(browser);
 }
 
+void Session::dismiss() {
+    dialog.reset();
+    afterSave_.reset();
+}
+
 void Session::opened(Document document, std::string file) {
     const auto kept = view;
     history = History(document);

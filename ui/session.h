@@ -94,6 +94,8 @@ class Session {
     /// Saves under the present path, or asks for one. Then departs, if that was the reason.
     void save(std::optional<Departure> then = std::nullopt);
     void browse(FilePurpose purpose);
+    /// Closes the dialog without doing what it was for.
+    void dismiss();
 
     // What the program answers.
     void opened(Document document, std::string path);

@@ -34,7 +34,7 @@ std::string fitting(double value, float width) {
     for (int count = 9; count > 2 && ImGui::CalcTextSize(digits.c_str()).x > room; --count) {
         digits = shortened(value, count);
     }
-    return digits;
+    return withTrueMinus(digits);
 }
 
 /// The text with line ends put in at spaces. (Dear ImGui would also break within 3.1.)

@@ -1,5 +1,6 @@
 #include "core/document/edits.h"
 
+#include "core/document/handles.h"
 #include "core/spline/catalog.h"
 
 #include <algorithm>
@@ -18,10 +19,6 @@ Document changed(const Document& document, std::size_t index, Change change) {
     Document next = document;
     next.curves[index] = std::move(curve);
     return next;
-}
-
-bool hasHandles(const Curve& curve) {
-    return familyOf(curve).hasHandles;
 }
 
 /// `delta` with as many coordinates as `dimension`.
@@ -54,43 +51,6 @@ Point movedBy(Point place, const Point& delta) {
     return place;
 }
 
-/// Whether two handles and the anchor between them lie on one line, the anchor in the middle.
-bool inLine(const Point& handle, const Point& anchor, const Point& partner) {
-    const Point a = anchor - handle;
-    const Point b = partner - anchor;
-    const double lengths = norm(a) * norm(b);
-    return lengths > 0 && dot(a, b) >= lengths * (1 - 1e-9);
-}
-
-/// Turns the partner of a handle that was in line with it, so that it still is.
-void keepInLine(const Curve& before, Curve& after, std::size_t handle,
-                const std::set<std::size_t>& moved) {
-    const auto anchor = anchorOf(before, handle);
-    const auto partner = partnerOf(before, handle);
-    if (!anchor || !partner || moved.contains(*anchor) || moved.contains(*partner) ||
-        !inLine(before.points.at(handle), before.points.at(*anchor), before.points.at(*partner))) {
-        return;
-    }
-    const Point at = after.points.at(*anchor);
-    const Point away = at - after.points.at(handle);
-    if (norm(away) > 0) {
-        const double reach = distance(before.points.at(*partner), at);
-        after.points.set(*partner, at + (reach / norm(away)) * away);
-    }
-}
-
-/// The handles beside an anchor of a Bézier spline: none, one or two.
-std::set<std::size_t> handlesOf(const Curve& curve, std::size_t anchor) {
-    const auto n = curve.points.size();
-    std::set<std::size_t> handles;
-    for (const auto index : {anchor + 1, anchor > 0 ? anchor - 1 : n - 1}) {
-        if (index < n && anchorOf(curve, index) == anchor) {
-            handles.insert(index);
-        }
-    }
-    return handles;
-}
-
 void movePointsOf(Curve& curve, const std::vector<PointId>& ids, const Point& delta) {
     const Curve before = curve;
     std::set<std::size_t> moved;
@@ -112,21 +72,6 @@ void movePointsOf(Curve& curve, const std::vector<PointId>& ids, const Point& de
             keepInLine(before, curve, index, moved);
         }
     }
-}
-
-/// Cuts a Bézier spline's piece in two with de Casteljau's ladder: the sides of the ladder are the
-/// Bézier points of the halves. Returns the index of the new anchor.
-std::size_t cutPiece(Curve& curve, Spot spot) {
-    const auto ladder = piecesOf(curve)[spot.segment].ladder(spot.u);
-    const auto first = 3 * spot.segment;
-    const auto n = curve.points.size();
-    curve.points.set(first + 1, ladder.level(1)[0]);
-    curve.points.set((first + 2) % n, ladder.level(1)[2]);
-    const std::array added = {ladder.level(2)[0], ladder.tip(), ladder.level(2)[1]};
-    for (std::size_t k = 0; k < added.size(); ++k) {
-        curve.points.insert(first + 2 + k, added[k]);
-    }
-    return first + 3;
 }
 
 /// Which index a point added at a spot should get.
@@ -163,109 +108,7 @@ Points without(const Points& points, const std::set<std::size_t>& indices) {
     return kept;
 }
 
-/// An anchor of a Bézier spline with the handles that arrive and leave.
-struct Node {
-    Point arriving, anchor, leaving;
-};
-
-std::vector<Node> nodesOf(const Curve& curve) {
-    std::vector<Node> nodes;
-    const auto n = curve.points.size();
-    for (std::size_t i = 0; i < n; i += 3) {
-        const Point anchor = curve.points.at(i);
-        const bool wraps = i == 0 && curve.closed;
-        nodes.push_back({i > 0   ? curve.points.at(i - 1)
-                         : wraps ? curve.points.at(n - 1)
-                                 : anchor,
-                         anchor, i + 1 < n ? curve.points.at(i + 1) : anchor});
-    }
-    return nodes;
-}
-
-/// The control points of a Bézier spline through these nodes.
-Points pointsThrough(const std::vector<Node>& nodes, const Curve& curve) {
-    Points points(curve.points.dimension());
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        if (k > 0) {
-            points.append(nodes[k].arriving);
-        }
-        points.append(nodes[k].anchor);
-        if (k + 1 < nodes.size() || curve.closed) {
-            points.append(nodes[k].leaving);
-        }
-    }
-    if (curve.closed && !nodes.empty()) {
-        points.append(nodes.front().arriving);
-    }
-    return points;
-}
-
-/// Deletes from a Bézier spline: handles are drawn in, anchors go with their handles.
-void deleteFromBezierSpline(Curve& curve, const std::set<std::size_t>& indices) {
-    bool anchorsGo = false;
-    for (const auto index : indices) {
-        if (const auto anchor = anchorOf(curve, index)) {
-            curve.points.set(index, curve.points.at(*anchor));
-        }
-        anchorsGo = anchorsGo || index % 3 == 0;
-    }
-    if (!anchorsGo) {
-        return;
-    }
-    auto nodes = nodesOf(curve);
-    std::vector<Node> kept;
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        if (!indices.contains(3 * k)) {
-            kept.push_back(std::move(nodes[k]));
-        }
-    }
-    curve.points = pointsThrough(kept, curve);
-}
-
-/// Where the handle leaving the last anchor of a Bézier spline goes, from the anchor, when the next
-/// anchor is `step` away: straight there, unless the handle arriving was pulled out of its line, as
-/// the pen does; then on along it.
-Point onward(const Curve& curve, const Point& step) {
-    const auto n = curve.points.size();
-    if (n >= 4) {
-        const Point anchor = curve.points.at(n - 1);
-        const Point arriving = anchor - curve.points.at(n - 2);
-        const Point straight = (1.0 / 3) * (anchor - curve.points.at(n - 4));
-        if (distance(arriving, straight) > 1e-9 * norm(straight)) {
-            return arriving;
-        }
-    }
-    return (1.0 / 3) * step;
-}
-
 } // namespace
-
-std::optional<std::size_t> anchorOf(const Curve& curve, std::size_t index) {
-    if (!hasHandles(curve) || index % 3 == 0) {
-        return std::nullopt;
-    }
-    const auto anchor = index % 3 == 1 ? index - 1 : index + 1;
-    if (anchor < curve.points.size()) {
-        return anchor;
-    }
-    return curve.closed ? std::optional<std::size_t>(0) : std::nullopt;
-}
-
-std::optional<std::size_t> partnerOf(const Curve& curve, std::size_t handle) {
-    const auto anchor = anchorOf(curve, handle);
-    if (!anchor) {
-        return std::nullopt;
-    }
-    const auto n = curve.points.size();
-    if (handle % 3 == 2) {
-        const auto partner = *anchor + 1;
-        return partner < n ? std::optional(partner) : std::nullopt;
-    }
-    if (*anchor > 0) {
-        return *anchor - 1;
-    }
-    return curve.closed ? std::optional(n - 1) : std::nullopt;
-}
 
 Document movePoints(const Document& document, std::span<const PointId> ids, const Point& delta) {
     Document next = document;
@@ -323,14 +166,8 @@ Inserted appendPoint(const Document& document, std::size_t curve, const Point& p
     if (!hasHandles(old) || n == 0 || old.closed) {
         return {insertPoint(document, curve, n, place), {curve, n}};
     }
-    Document next = changed(document, curve, [&](Curve& changing) {
-        const Point from = changing.points.at(n - 1);
-        if (n % 3 == 1) {
-            changing.points.append(from + onward(changing, place - from));
-            changing.points.append(from + (2.0 / 3) * (place - from));
-        }
-        changing.points.append(place);
-    });
+    Document next =
+        changed(document, curve, [&](Curve& changing) { appendAnchor(changing, place); });
     const auto last = next.curves[curve]->points.size() - 1;
     return {std::move(next), {curve, last}};
 }
@@ -349,7 +186,7 @@ Document deletePoints(const Document& document, std::span<const PointId> ids) {
         }
         next = changed(next, i, [&](Curve& curve) {
             if (hasHandles(curve)) {
-                deleteFromBezierSpline(curve, indices);
+                deleteAnchorsAndHandles(curve, indices);
                 return;
             }
             curve.points = without(curve.points, indices);
@@ -395,16 +232,8 @@ Document setEnds(const Document& document, std::size_t curve, Ends ends) {
 
 Document setClosed(const Document& document, std::size_t curve, bool closed) {
     return changed(document, curve, [&](Curve& changing) {
-        auto& points = changing.points;
-        if (hasHandles(changing) && closed && !changing.closed && points.size() % 3 == 1 &&
-            points.size() > 1) {
-            const Point from = points.at(points.size() - 1);
-            const Point to = points.at(0);
-            points.append(2.0 * from - points.at(points.size() - 2));
-            points.append(2.0 * to - points.at(1));
-        } else if (hasHandles(changing) && !closed && changing.closed && points.size() % 3 == 0) {
-            points.erase(points.size() - 1);
-            points.erase(points.size() - 1);
+        if (hasHandles(changing)) {
+            fitHandlesToClosing(changing, closed);
         }
         changing.closed = closed;
     });

@@ -52,10 +52,4 @@ Document renameCurve(const Document& document, std::size_t curve, std::string na
 Document addCurve(const Document& document, Curve curve);
 Document removeCurve(const Document& document, std::size_t curve);
 
-/// The anchor beside which a handle of a Bézier spline stands, if `index` is one.
-std::optional<std::size_t> anchorOf(const Curve& curve, std::size_t index);
-
-/// The handle on the other side of a handle's anchor, if there is one.
-std::optional<std::size_t> partnerOf(const Curve& curve, std::size_t handle);
-
 } // namespace splineloft

@@ -1,6 +1,7 @@
 // Edits are functions from document to document: what they change, what they leave alone, and that
 // they never make a document that could not be drawn.
 #include "core/document/edits.h"
+#include "core/document/handles.h"
 
 #include "core/spline/catalog.h"
 #include "tests/property/random_curves.h"

@@ -1,6 +1,7 @@
 #include "ui/canvas/hints.h"
 
 #include "core/document/edits.h"
+#include "core/document/handles.h"
 #include "ui/canvas/wording.h"
 
 namespace splineloft::ui {
@@ -30,8 +31,12 @@ std::string hintFor(const Gesture& gesture, const View& view, const Document& do
     if (std::holds_alternative<SlidingCursor>(gesture)) {
         return "Drag along the curve to slide u";
     }
-    if (std::holds_alternative<PlacingPoint>(gesture)) {
-        return "Drag to pull out handles, where the family has them · release to place the point";
+    if (const auto* placing = std::get_if<PlacingPoint>(&gesture)) {
+        const auto& family = familyOf(*placing->placed.curves[placing->point.curve]);
+        return std::string(family.hasHandles     ? "Drag to pull out handles · "
+                           : family.usesTangents ? "Drag to pull out the tangent · "
+                                                 : "") +
+               "release to place the point";
     }
     if (view.tool == Tool::pen) {
         return "Click to add a point at the end · click the first point to close · Enter or Esc "

@@ -1,6 +1,7 @@
 #include "ui/canvas/illustrate.h"
 
 #include "core/document/edits.h"
+#include "core/document/handles.h"
 #include "ui/canvas/grid.h"
 #include "ui/canvas/outline.h"
 #include "ui/canvas/wording.h"
@@ -13,9 +14,9 @@ namespace {
 
 // More names than these on one curve are noise.
 constexpr std::size_t mostNames = 60;
-constexpr int combTeeth = 14;       // per piece
-constexpr double longestTooth = 90; // design pixels
-constexpr double usualTooth = 34;   // design pixels, for the mean curvature
+constexpr std::size_t combTeeth = 150; // on the whole curve, about
+constexpr double longestTooth = 90;    // design pixels
+constexpr double usualTooth = 34;      // design pixels, for the mean curvature
 
 /// One scene being drawn.
 class Illustration {
@@ -238,11 +239,13 @@ class Illustration {
     /// Teeth square to the curve, as long as the curvature; the mean has the usual length.
     void comb(const Study& study) {
         const auto& plane = study.plane(view_.axes);
+        const int perPiece = static_cast<int>(
+            std::clamp<std::size_t>(combTeeth / std::max<std::size_t>(plane.size(), 1), 6, 40));
         std::vector<Jet> jets;
         double sum = 0;
         for (std::size_t i = 0; i < plane.size(); ++i) {
-            for (int k = 0; k <= combTeeth; ++k) {
-                jets.push_back(plane.jet({i, static_cast<double>(k) / combTeeth}));
+            for (int k = 0; k <= perPiece; ++k) {
+                jets.push_back(plane.jet({i, static_cast<double>(k) / perPiece}));
                 sum += std::abs(jets.back().curvature.value_or(0));
             }
         }

@@ -14,6 +14,8 @@ template <class... Form> std::string written(double value, Form... form) {
     return {text.data(), end};
 }
 
+} // namespace
+
 std::string withTrueMinus(std::string text) {
     const bool zero = text.find_first_of("123456789") == std::string::npos;
     if (!text.empty() && text.front() == '-') {
@@ -21,8 +23,6 @@ std::string withTrueMinus(std::string text) {
     }
     return text;
 }
-
-} // namespace
 
 std::string fixed(double value, int digits) {
     return withTrueMinus(written(value, std::chars_format::fixed, digits));

@@ -14,6 +14,9 @@ std::string fixed(double value, int digits);
 /// `value` with about `digits` significant digits, shortest of plain and scientific.
 std::string significant(double value, int digits);
 
+/// The text of a number with a true minus sign, and none before zero.
+std::string withTrueMinus(std::string text);
+
 /// The same with a plain "-", as number fields read it back.
 std::string shortened(double value, int digits);
 

@@ -45,7 +45,7 @@ void question(Session& session, const UnsavedQuestion& asked, const Stage& windo
     }
     ImGui::SameLine();
     if (ImGui::Button("Cancel", size)) {
-        session.dialog.reset();
+        session.dismiss();
     }
 }
 
@@ -59,9 +59,16 @@ void keyRow(const std::string& keys, const std::string& deed, const Stage& windo
 }
 
 void keyList(Session& session, const Stage& window) {
+    const double room = window.rect.width / window.scale - 90;
+    const bool sideBySide = room >= 1000;
+    const float width = window.px(std::min(room, sideBySide ? 1120.0 : 560.0));
     const auto height = static_cast<float>(window.rect.height) - window.px(190);
-    if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit,
-                          {window.px(820), std::min(height, window.px(560))})) {
+    if (ImGui::BeginTable("keys", sideBySide ? 4 : 2, ImGuiTableFlags_ScrollY,
+                          {width, std::min(height, window.px(560))})) {
+        for (int i = 0; i < (sideBySide ? 2 : 1); ++i) {
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, window.px(222));
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+        }
         for (const auto& [hand, deed] : mouse) {
             keyRow(hand, deed, window);
         }
@@ -115,10 +122,10 @@ void drawDialog(Session& session, const Stage& window) {
             session.dialog.reset();
             session.requests.push_back(*request);
         } else if (escaped || browser->closed) {
-            session.dialog.reset();
+            session.dismiss();
         }
     } else if (escaped) {
-        session.dialog.reset();
+        session.dismiss();
     } else if (const auto* asked = std::get_if<UnsavedQuestion>(&*session.dialog)) {
         question(session, *asked, window);
     } else {

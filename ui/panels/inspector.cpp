@@ -13,6 +13,8 @@
 namespace splineloft::ui {
 namespace {
 
+constexpr int mostJointLines = 6;
+
 /// One inspector being drawn; collects what the person did.
 class Inspector {
   public:
@@ -46,10 +48,8 @@ class Inspector {
         const std::string name(now.name);
         ImGui::PushFont(font(Face::bold));
         ImGui::SetNextItemWidth(-1);
-        const bool open =
-            ImGui::BeginCombo("##family", name.c_str(), ImGuiComboFlags_HeightLargest);
-        ImGui::PopFont();
-        if (open) {
+        if (ImGui::BeginCombo("##family", name.c_str(), ImGuiComboFlags_HeightLargest)) {
+            ImGui::PushFont(font(Face::regular)); // a font is popped in the window that pushed it
             for (const auto& family : catalog()) {
                 const std::string option(family.name);
                 if (ImGui::Selectable(option.c_str(), family.id == now.id)) {
@@ -57,8 +57,10 @@ class Inspector {
                 }
                 explain(std::string(family.summary));
             }
+            ImGui::PopFont();
             ImGui::EndCombo();
         }
+        ImGui::PopFont();
         quietText(std::string(now.summary) + "\n" + std::string(now.source), stage_);
         ImGui::Spacing();
     }
@@ -215,12 +217,17 @@ class Inspector {
         }
         ImGui::Spacing();
         heading("Joints");
-        const auto most = std::min<std::size_t>(t.joints.size(), 64);
-        for (std::size_t i = 0; i < most;) {
+        int lines = 0;
+        for (std::size_t i = 0; i < t.joints.size(); ++lines) {
+            if (lines == mostJointLines) {
+                const auto rest = std::to_string(t.joints.size() - i);
+                quietText("and " + rest + " more: rest the pointer on a joint to read it", stage_);
+                return;
+            }
             // Joints in a row that are alike share a line.
-            std::size_t last = i;
             const auto words = describe(t.joints[i]);
-            while (last + 1 < most && describe(t.joints[last + 1]) == words) {
+            std::size_t last = i;
+            while (last + 1 < t.joints.size() && describe(t.joints[last + 1]) == words) {
                 ++last;
             }
             const auto from = significant(t.joints[i].t, 4);
