@@ -13,6 +13,10 @@ namespace splineloft::app {
 
 namespace {
 
+// Below these the panels would have no room; design pixels.
+constexpr int leastWidth = 720;
+constexpr int leastHeight = 480;
+
 // What the toolkit says of its last failure.
 std::string toolkitFault() {
     const char* text = nullptr;
@@ -223,6 +227,7 @@ Window::Window(const WindowOptions& options, ui::InputQueue& queue)
                           " (install or update the graphics driver; Mesa's software driver will "
                           "do: libgl1-mesa-dri)");
     }
+    glfwSetWindowSizeLimits(window_.get(), leastWidth, leastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
     listener_->listenTo(window_.get());
     glfwMakeContextCurrent(window_.get());
     gl::loadFunctions(glfwGetProcAddress);

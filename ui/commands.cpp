@@ -34,6 +34,7 @@ std::vector<PointId> selected(const Session& session) {
 void deleteSelection(Session& session) {
     const auto ids = selected(session);
     const auto label = "Delete " + nameOf(session.document(), ids);
+    session.view.selection.clear(); // the points that move up were not selected
     session.apply({deletePoints(session.history.settled(), ids), Phase::commit, label});
 }
 
@@ -48,8 +49,7 @@ void selectAll(Session& session) {
 /// Esc: whatever is under way ends, else the tool, else the selection.
 void stepBack(Session& session) {
     if (!std::holds_alternative<Idle>(session.gesture)) {
-        session.gesture = Idle{};
-        session.apply({session.history.settled(), Phase::cancel, ""});
+        session.giveUpGesture();
     } else if (session.view.tool != Tool::select) {
         session.view.tool = Tool::select;
     } else {
@@ -67,10 +67,9 @@ void zoomAtMiddle(Session& session, double factor) {
 void nudge(Session& session, double right, double up, double tenths) {
     const double step = tenths * fineGridStep(session.view.camera, 1) / 10;
     const auto ids = selected(session);
-    const Curve& curve = *session.document().curves[ids.front().curve];
-    const auto delta = liftedDelta(curve, session.view.axes, right * step, up * step);
-    session.apply({movePoints(session.history.settled(), ids, delta), Phase::commit,
-                   "Nudge " + nameOf(session.document(), ids)});
+    session.apply(
+        {movedInPlane(session.history.settled(), ids, session.view.axes, right * step, up * step),
+         Phase::commit, "Nudge " + nameOf(session.document(), ids)});
 }
 
 void addFileCommands(std::vector<Command>& all) {
@@ -105,7 +104,9 @@ void addEditCommands(std::vector<Command>& all) {
                    [](const Session& s) { return "Undo " + std::string(s.history.undoLabel()); },
                    {{Key::z, control}},
                    [](Session& s) { s.undo(); },
-                   [](const Session& s) { return s.history.canUndo(); }});
+                   [](const Session& s) {
+                       return s.history.canUndo() || s.history.previewing();
+                   }});
     all.push_back({"edit.redo",
                    "Edit",
                    [](const Session& s) { return "Redo " + std::string(s.history.redoLabel()); },
@@ -217,12 +218,19 @@ void addCurveCommands(std::vector<Command>& all) {
                    [](Session& s) { s.view.tool = Tool::pen; },
                    [](const Session&) { return true; },
                    [](const Session& s) { return s.view.tool == Tool::pen; }});
+    all.push_back({"curve.new",
+                   "Curve",
+                   called("Pen: begin another curve"),
+                   {{Key::p, shift}},
+                   [](Session& s) { s.view.tool = Tool::newCurve; },
+                   [](const Session&) { return true; },
+                   [](const Session& s) { return s.view.tool == Tool::newCurve; }});
     all.push_back({"tool.endPen",
                    "",
                    called("End the pen"),
                    {{Key::enter}, {Key::keypadEnter}},
                    [](Session& s) { s.view.tool = Tool::select; },
-                   [](const Session& s) { return s.view.tool == Tool::pen; }});
+                   [](const Session& s) { return s.view.tool != Tool::select; }});
     all.push_back({"curve.closed",
                    "Curve",
                    called("Closed"),
@@ -240,6 +248,7 @@ void addCurveCommands(std::vector<Command>& all) {
                    called("Delete the curve"),
                    {{Key::del, shift}},
                    [](Session& s) {
+                       s.view.selection.clear(); // the curves that move up were not selected
                        s.apply({removeCurve(s.history.settled(), s.view.activeCurve), Phase::commit,
                                 "Delete the curve"});
                    },

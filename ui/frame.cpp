@@ -177,7 +177,7 @@ PointerShape pointerFor(const Session& session) {
     if (session.pointerOnCanvas) {
         const bool pans = std::holds_alternative<Panning>(session.gesture);
         return pans                                         ? PointerShape::move
-               : session.view.tool == Tool::pen             ? PointerShape::cross
+               : session.view.tool != Tool::select          ? PointerShape::cross
                : session.view.hovered || session.view.ghost ? PointerShape::hand
                                                             : PointerShape::arrow;
     }

@@ -21,15 +21,26 @@ void Session::apply(Edit edit) {
     }
     if (const auto problem = problemOf(edit.next)) {
         history.cancel();
-        complain(edit.label + " is not possible: " + problem->place + " " + problem->what +
-                 "; right would be: " + problem->remedy);
+        complain((edit.label.empty() ? "This" : edit.label) + " is not possible: " +
+                 problem->place + " " + problem->what + "; right would be: " + problem->remedy);
         return tidy();
     }
     if (edit.phase == Phase::preview) {
         history.preview(std::move(edit.next));
     } else {
         history.commit(std::move(edit.next), std::move(edit.label));
+        gesture = Idle{}; // the points in its hand may be gone
     }
+    tidy();
+}
+
+void Session::giveUpGesture() {
+    const Situation situation{history.settled(), history.live(), studies, {view.camera, canvas}, 1};
+    const PointerEvent cancel{PointerEvent::Kind::cancel, pointer, Button::left, {}};
+    Reaction reaction = react(gesture, view, cancel, situation);
+    gesture = Idle{};
+    view = std::move(reaction.view);
+    history.cancel();
     tidy();
 }
 
@@ -76,16 +87,17 @@ void Session::leaveAnyway(const Departure& departure) {
 }
 
 void Session::save(std::optional<Departure> then) {
-    afterSave_ = std::move(then);
     if (path.empty()) {
         browse(FilePurpose::save);
     } else {
         dialog.reset();
         requests.emplace_back(SaveFile{path});
     }
+    afterSave_ = std::move(then);
 }
 
 void Session::browse(FilePurpose purpose) {
+    afterSave_.reset(); // of a browser that was cancelled
     FileBrowser browser;
     browser.purpose = purpose;
     std::error_code failed;

@@ -84,6 +84,8 @@ class Session {
 
     /// The only way into the document. Refuses, with a notice, what could not be drawn or saved.
     void apply(Edit edit);
+    /// Ends what the hand is in the middle of and restores what was there before.
+    void giveUpGesture();
     void undo();
     void redo();
 

@@ -103,6 +103,7 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
     case Role::polygon: return mixed(s.text, s.canvas, 0.5);
     case Role::handleLine: return mixed(s.text, s.canvas, 0.6);
     case Role::control:
+    case Role::handle:
     case Role::basis: return turn(theme.controls, ink.index);
     case Role::selected: return s.text;
     case Role::hovered: return mixed(s.text, s.canvas, 0.6);
@@ -137,6 +138,7 @@ StrokeStyle strokeOf(const Theme& theme, const Ink& ink, double scale) {
 double markRadius(const Ink& ink, double scale) {
     switch (ink.role) {
     case Role::control: return 6.5 * scale;
+    case Role::handle: return 5 * scale;
     case Role::otherControl: return 4 * scale;
     case Role::selected: return 11 * scale;
     case Role::hovered: return 10 * scale;

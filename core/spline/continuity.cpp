@@ -160,9 +160,10 @@ std::string describe(const Joint& joint) {
         return "broken: a gap of " + rounded(joint.gap);
     }
     if (joint.g == 0) {
-        return joint.c == 0 ? "C⁰, a corner: the direction turns by " + degrees
-                            : "comes to rest (C" + std::string(joint.c == 2 ? "²" : "¹") +
-                                  ") in a corner of " + degrees;
+        const bool back = std::numbers::pi - joint.turn < directionTolerance;
+        const std::string way = back ? "turns back" : "turns by " + degrees;
+        const std::string rest = joint.c == 2 ? "C², at rest: " : "C¹, at rest: ";
+        return joint.c == 0 ? "C⁰, a corner: the direction " + way : rest + "then the curve " + way;
     }
     if (joint.c == 2) {
         return joint.g == 2 ? "C²" : "C², at rest: the curve stops here and goes on the same way";

@@ -47,6 +47,14 @@ Document withNewCurve(const Document& document, const View& view, PlanePoint at)
     return addCurve(document, std::move(curve));
 }
 
+/// Turns to a curve; u goes to its start, for it may have fewer pieces than the one before.
+void activate(View& view, std::size_t curve) {
+    if (curve != view.activeCurve) {
+        view.cursor = {};
+    }
+    view.activeCurve = curve;
+}
+
 // --- idle
 
 Reaction hover(const View& view, const PointerEvent& event, const Situation& s) {
@@ -64,7 +72,7 @@ Reaction pressPoint(const View& view, const PointerEvent& event, const PointId& 
     Reaction reaction = stay(Idle{}, view);
     auto& selection = reaction.view.selection;
     const bool wasSelected = selection.contains(id);
-    reaction.view.activeCurve = id.curve;
+    activate(reaction.view, id.curve);
     if (event.modifiers.shift && wasSelected) {
         selection.erase(id);
         return reaction;
@@ -103,9 +111,10 @@ Reaction pressCurve(const View& view, const PointerEvent& event, const CurveHit&
 Reaction pressWithPen(const View& view, const PointerEvent& event, const Situation& s) {
     const PlanePoint at = tidied(s.viewport.toPlane(event.at), s.viewport.camera);
     Reaction reaction = stay(Idle{}, view);
-    const bool going =
-        view.activeCurve < s.settled.curves.size() && !s.settled.curves[view.activeCurve]->closed;
-    if (going && view.hovered == PointId{view.activeCurve, 0, Part::point} &&
+    const bool going = view.tool == Tool::pen && view.activeCurve < s.settled.curves.size() &&
+                       !s.settled.curves[view.activeCurve]->closed;
+    const auto under = pick(s.live, s.studies, view, s.viewport, event.at, s.scale).point;
+    if (going && under == PointId{view.activeCurve, 0, Part::point} &&
         familyOf(*s.settled.curves[view.activeCurve]).closable &&
         s.settled.curves[view.activeCurve]->points.size() > 2) {
         reaction.edit = Edit{setClosed(s.settled, view.activeCurve, true), Phase::commit, "Close"};
@@ -122,6 +131,7 @@ Reaction pressWithPen(const View& view, const PointerEvent& event, const Situati
     }
     reaction.view.activeCurve = added.point.curve;
     reaction.view.selection = {added.point};
+    reaction.view.tool = Tool::pen;
     reaction.edit = Edit{added.document, Phase::preview, ""};
     reaction.gesture = PlacingPoint{added.point, std::move(added.document), event.at};
     return reaction;
@@ -134,7 +144,7 @@ Reaction press(const View& view, const PointerEvent& event, const Situation& s) 
     if (event.button != Button::left) {
         return stay(Idle{}, view);
     }
-    if (view.tool == Tool::pen) {
+    if (view.tool != Tool::select) {
         return pressWithPen(view, event, s);
     }
     const Hit hit = pick(s.live, s.studies, view, s.viewport, event.at, s.scale);
@@ -176,12 +186,10 @@ SnappedMove moveOf(const DraggingPoints& drag, const View& view, const PointerEv
 
 Document dragged(const DraggingPoints& drag, const SnappedMove& move, const View& view,
                  const Situation& s) {
-    const Curve& curve = *s.settled.curves[drag.grabbed.curve];
     // A tangent is drawn at a third of its length, so its tip moves three times as far.
     const double stretch = drag.grabbed.part == Part::tangent ? 3 : 1;
     const auto ids = drag.grabbed.part == Part::tangent ? std::vector{drag.grabbed} : drag.ids;
-    return movePoints(s.settled, ids,
-                      liftedDelta(curve, view.axes, stretch * move.dx, stretch * move.dy));
+    return movedInPlane(s.settled, ids, view.axes, stretch * move.dx, stretch * move.dy);
 }
 
 Reaction step(const DraggingPoints& drag, const View& view, const PointerEvent& event,
@@ -215,7 +223,9 @@ Reaction step(const DraggingPoints& drag, const View& view, const PointerEvent& 
 // --- the other gestures
 
 Reaction step(const Boxing& box, const View& view, const PointerEvent& event, const Situation& s) {
-    if (event.kind == Kind::cancel) {
+    const bool cancels =
+        event.kind == Kind::cancel || (event.kind == Kind::press && event.button == Button::right);
+    if (cancels) {
         Reaction reaction = stay(Idle{}, view);
         reaction.view.selection = box.kept;
         return reaction;
@@ -231,7 +241,7 @@ Reaction step(const Boxing& box, const View& view, const PointerEvent& event, co
     if (event.kind == Kind::release && event.button == Button::left) {
         reaction.gesture = Idle{};
         if (!reaction.view.selection.empty()) {
-            reaction.view.activeCurve = reaction.view.selection.begin()->curve;
+            activate(reaction.view, reaction.view.selection.begin()->curve);
         }
     }
     return reaction;

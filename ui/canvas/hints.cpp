@@ -38,6 +38,9 @@ std::string hintFor(const Gesture& gesture, const View& view, const Document& do
                                                  : "") +
                "release to place the point";
     }
+    if (view.tool == Tool::newCurve) {
+        return "Click to begin another curve · Esc ends";
+    }
     if (view.tool == Tool::pen) {
         return "Click to add a point at the end · click the first point to close · Enter or Esc "
                "ends";

@@ -110,7 +110,8 @@ class Illustration {
     void controls(const Study& study) {
         const auto places = controlPlaces(study.curve(), view_.axes);
         for (std::size_t i = 0; i < places.size(); ++i) {
-            mark(places[i], shapeOf(study, i), {Role::control, static_cast<int>(i)});
+            const Role role = isHandle(study, i) ? Role::handle : Role::control;
+            mark(places[i], shapeOf(study, i), {role, static_cast<int>(i)});
             if (view_.layers.labels && places.size() <= mostNames && !isHandle(study, i)) {
                 scene_.labels.push_back({pointName(i),
                                          viewport_.toScreen(places[i]),
@@ -232,7 +233,7 @@ class Illustration {
             stroke({from, to}, {Role::handleLine});
             const double angle = std::atan2(to.y - from.y, to.x - from.x);
             scene_.marks.push_back(
-                {to, SignShape::square, {Role::control, static_cast<int>(i)}, angle});
+                {to, SignShape::square, {Role::handle, static_cast<int>(i)}, angle});
         }
     }
 

@@ -21,6 +21,7 @@ enum class Role {
     polygon,
     handleLine,
     control,      ///< a control point, in its own colour
+    handle,       ///< a handle or the tip of a tangent, in its own colour
     otherControl, ///< of a curve that is not active
     selected,
     hovered,

@@ -56,7 +56,11 @@ inline constexpr std::array namedLayers = {
     NamedLayer{"beads", &Layers::beads},     NamedLayer{"joints", &Layers::joints},
     NamedLayer{"basis", &Layers::basis}};
 
-enum class Tool { select, pen };
+enum class Tool {
+    select,
+    pen,     ///< adds points at the end of the active curve
+    newCurve ///< begins another curve with its next point, then goes on as the pen
+};
 
 enum class ThemeKind { dark, light };
 

@@ -1,7 +1,10 @@
 #include "ui/canvas/viewport.h"
 
+#include "core/document/edits.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace splineloft::ui {
 namespace {
@@ -115,6 +118,18 @@ Point liftedDelta(const Curve& curve, const Axes& axes, double dx, double dy) {
     }
     delta[shown(axes.up, dimension)] += dy;
     return delta;
+}
+
+Document movedInPlane(const Document& document, const std::vector<PointId>& ids, const Axes& axes,
+                      double dx, double dy) {
+    Document next = document;
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        std::vector<PointId> own;
+        std::ranges::copy_if(ids, std::back_inserter(own),
+                             [i](const PointId& id) { return id.curve == i; });
+        next = movePoints(next, own, liftedDelta(*document.curves[i], axes, dx, dy));
+    }
+    return next;
 }
 
 Point lifted(const Curve& curve, const Axes& axes, Point place, PlanePoint at) {

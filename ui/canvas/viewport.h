@@ -42,6 +42,11 @@ std::vector<PlanePoint> controlPlaces(const Curve& curve, const Axes& axes);
 /// A displacement in the plane as one of the curve's coordinates.
 Point liftedDelta(const Curve& curve, const Axes& axes, double dx, double dy);
 
+/// The document with these points moved by a displacement in the plane, each curve's in its own
+/// coordinates.
+Document movedInPlane(const Document& document, const std::vector<PointId>& ids, const Axes& axes,
+                      double dx, double dy);
+
 /// `place` moved so that it lies under `at` in the plane; other coordinates stay.
 Point lifted(const Curve& curve, const Axes& axes, Point place, PlanePoint at);
 

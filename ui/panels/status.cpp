@@ -65,8 +65,7 @@ void beginPanel(const char* name, const Stage& stage, int moreFlags) {
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavInputs |
-                     moreFlags);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | moreFlags);
 }
 
 } // namespace splineloft::ui

@@ -17,10 +17,11 @@ constexpr double footHeight = 26;
 constexpr double weightsWidth = 190;
 constexpr double segmentsWidth = 210;
 constexpr double gap = 44;
+constexpr double leastForWeights = 560;
 
 /// Play and pause, pace, duration, beads.
 void drawTransport(View& view, const Stage& stage) {
-    if (ImGui::Button(view.playing ? "❚❚ Pause" : "▶ Play", {stage.px(92), 0})) {
+    if (ImGui::Button(view.playing ? "❚❚ Pause" : "▶ Play", {stage.px(86), 0})) {
         view.playing = !view.playing;
     }
     explain("Plays u along the curve (Space)");
@@ -30,7 +31,7 @@ void drawTransport(View& view, const Stage& stage) {
     ImGui::SameLine();
     static constexpr std::array<std::string_view, 2> paces = {"length", "u"};
     const int pace = view.pace == Even::length ? 0 : 1;
-    if (const auto chosen = choiceOf("pace", paces, pace, stage, stage.px(132))) {
+    if (const auto chosen = choiceOf("pace", paces, pace, stage, stage.px(126))) {
         view.pace = *chosen == 0 ? Even::length : Even::parameter;
     }
     ImGui::SameLine(0, stage.px(14));
@@ -43,7 +44,7 @@ void drawTransport(View& view, const Stage& stage) {
     explain("Seconds from start to end");
     ImGui::SameLine();
     ImGui::TextUnformatted("s");
-    ImGui::SameLine(0, stage.px(18));
+    ImGui::SameLine(0, stage.px(14));
     const float line = ImGui::GetCursorPosY();
     toggle("beads", view.layers.beads, stage);
     if (view.layers.beads) {
@@ -110,11 +111,22 @@ std::optional<double> slidOver(const char* id, const PlotFrame& plot) {
                                  : std::nullopt;
 }
 
+/// Where the strip is narrow the values give way to the graphs.
+bool hasWeights(const Stage& stage) {
+    return stage.rect.width >= leastForWeights * stage.scale;
+}
+
+ScreenRect weightsFrame(const Stage& stage) {
+    const auto& r = stage.rect;
+    return {r.right() - weightsWidth * stage.scale, r.top + headHeight * stage.scale,
+            (weightsWidth - 18) * stage.scale, r.height - (headHeight + 4) * stage.scale};
+}
+
 StripFrames framesIn(const Stage& stage) {
     const auto& r = stage.rect;
     const double top = r.top + headHeight * stage.scale;
     const double height = r.bottom() - footHeight * stage.scale - top;
-    const double right = r.right() - (weightsWidth + 24) * stage.scale;
+    const double right = r.right() - (hasWeights(stage) ? weightsWidth + 24 : 14) * stage.scale;
     const double segments = std::min(segmentsWidth * stage.scale, 0.3 * (right - r.left));
     const double left = r.left + gap * stage.scale;
     const double middle = right - segments - gap * stage.scale;
@@ -156,11 +168,9 @@ std::optional<StripFrames> drawStrip(const Session& session, View& view, const S
                 view.cursor.u = *u;
                 view.playing = false;
             }
-            const double left = stage.rect.right() - weightsWidth * stage.scale;
-            drawWeights(*study, view, stage,
-                        {left, stage.rect.top + headHeight * stage.scale,
-                         (weightsWidth - 18) * stage.scale,
-                         stage.rect.height - (headHeight + 4) * stage.scale});
+            if (hasWeights(stage)) {
+                drawWeights(*study, view, stage, weightsFrame(stage));
+            }
         }
     }
     ImGui::End();
