@@ -77,9 +77,10 @@ void movePointsOf(Curve& curve, const std::vector<PointId>& ids, const Point& de
 /// Which index a point added at a spot should get.
 std::size_t indexForSpot(const Curve& curve, Spot spot) {
     const auto layout = layoutOf(curve);
-    if (layout.stride > 1) { // one Bézier piece: its points are spread over the whole of it
-        const auto legs = static_cast<double>(curve.points.size() - 1);
-        return 1 + std::min(static_cast<std::size_t>(spot.u * legs), curve.points.size() - 2);
+    if (layout.stride > 1) { // a piece's points are spread over the whole of it
+        const auto legs = static_cast<std::size_t>(layout.window - 1);
+        const auto leg = static_cast<std::size_t>(spot.u * static_cast<double>(legs));
+        return spot.segment * static_cast<std::size_t>(layout.stride) + 1 + std::min(leg, legs - 1);
     }
     const bool secondHalf = layout.degree % 2 == 0 && spot.u > 0.5;
     return std::min(controlAtStart(curve, spot.segment) + 1 + (secondHalf ? 1 : 0),

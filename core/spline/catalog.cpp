@@ -5,8 +5,9 @@
 
 // A new family is one file in families/ that defines its function, and one line here.
 #define SPLINELOFT_FAMILIES(family)                                                                \
-    family(linear) family(bezier) family(bezierSpline) family(hermite) family(cardinal)            \
-        family(catmullRom) family(natural) family(bSpline) family(duff) family(beta)
+    family(linear) family(lagrange) family(parametricParabola) family(bezier) family(bezierSpline) \
+        family(hermite) family(cardinal) family(catmullRom) family(kochanekBartels)                \
+            family(natural) family(bSpline) family(bcSpline) family(duff) family(beta)
 
 namespace splineloft {
 

@@ -144,15 +144,27 @@ Curve reversed(const Curve& curve) {
         result.parameters["bias"] = 1 / bias;
         result.parameters["tension"] = curve.parameters.at("tension") / (bias * bias * bias);
     }
+    if (curve.family == "kochanek-bartels") {
+        result.parameters["bias"] = -curve.parameters.at("bias");
+    }
+    if (curve.family == "parametric-parabola") {
+        result.parameters["mu"] = 1 - curve.parameters.at("mu");
+    }
     return result;
+}
+
+/// Whether the curve read backwards begins where a piece begins: pieces of several points each only
+/// do so where the last of them is complete, and around a loop not at all.
+bool canBeReversed(const Curve& curve) {
+    const auto stride = static_cast<std::size_t>(layoutOf(curve).stride);
+    return stride == 1 || curve.family == "bezier" || curve.family == "lagrange" ||
+           (!curve.closed && curve.points.size() % stride == 1);
 }
 
 TEST_P(Shape, pointsBackwardsAreTheCurveBackwards) {
     forEveryForm(GetParam(), rounds, [](const Curve& curve) {
-        const bool incomplete =
-            familyOf(curve).hasHandles && curve.points.size() % 3 != (curve.closed ? 0u : 1u);
-        if (incomplete || (familyOf(curve).hasHandles && curve.closed)) {
-            return; // their first point is an anchor and their last a handle
+        if (!canBeReversed(curve)) {
+            return;
         }
         const Pieces forth = piecesOf(curve);
         const Pieces back = piecesOf(reversed(curve));
@@ -180,6 +192,11 @@ TEST(ShapeOf, familiesThatCoincide) {
     };
     const std::vector<Twins> twins = {
         {"cardinal", "catmull-rom", {{"tension", 0.5}}, {{"alpha", 0}}},
+        {"bc-spline", "cardinal", {{"b", 0}, {"c", 0.7}}, {{"tension", 0.7}}},
+        {"bc-spline", "duff", {{"b", 0.4}, {"c", 0}}, {{"tension", 0.4}}},
+        {"bc-spline", "b-spline", {{"b", 1}, {"c", 0}}, {{"degree", 3}}},
+        {"kochanek-bartels", "cardinal", {{"tension", 0}}, {{"tension", 0.5}}},
+        {"kochanek-bartels", "cardinal", {{"tension", 0.3}}, {{"tension", 0.35}}},
         {"b-spline", "duff", {{"degree", 3}}, {{"tension", 1}}},
         {"b-spline", "beta", {{"degree", 3}}, {{"bias", 1}, {"tension", 0}}},
         {"duff", "beta", {{"tension", 0.3}}, {{"bias", 1}, {"tension", 12 * 0.7 / 0.3}}},

@@ -320,6 +320,9 @@ TEST(Edits, inAnyOrderMakeDrawableDocumentsAndLeaveTheOldOnesAlone) {
             if (next.curves.size() < 2) {
                 break; // the last anchor is gone, and with it the curve
             }
+            if (next.curves[0]->points.size() > familyOf(*next.curves[0]).mostPoints) {
+                continue; // more than the family takes: the session would refuse it
+            }
             ASSERT_FALSE(problemOf(next)) << "seed " << seed << " step " << step << ": "
                                           << problemOf(next)->place << ' ' << problemOf(next)->what;
             ASSERT_EQ(next.curves[1], before.curves[1]);
