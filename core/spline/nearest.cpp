@@ -156,20 +156,4 @@ std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place, doubl
     return best.distance < within ? std::optional(best) : std::nullopt;
 }
 
-std::optional<Box> hullBox(const Pieces& pieces) {
-    if (pieces.empty()) {
-        return std::nullopt;
-    }
-    Box box{pieces[0].bezierPoint(0), pieces[0].bezierPoint(0)};
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const auto coordinates = pieces[i].coordinates;
-        for (std::size_t k = 0; k < coordinates.size(); ++k) {
-            const int c = static_cast<int>(k) % pieces.dimension();
-            box.low[c] = std::min(box.low[c], coordinates[k]);
-            box.high[c] = std::max(box.high[c], coordinates[k]);
-        }
-    }
-    return box;
-}
-
 } // namespace splineloft

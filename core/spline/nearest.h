@@ -1,4 +1,4 @@
-// The spot of a curve nearest to a given place, and the box around a curve.
+// The spot of a curve nearest to a given place.
 #pragma once
 
 #include "core/spline/piece.h"
@@ -18,13 +18,5 @@ struct Nearest {
 /// Pieces whose hull lies farther away than the best spot so far are passed over.
 std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place,
                                  double within = std::numeric_limits<double>::infinity());
-
-/// Corners of a box along the axes.
-struct Box {
-    Point low, high;
-};
-
-/// The box around all Bézier points, which contains the curve; nothing where there is no piece.
-std::optional<Box> hullBox(const Pieces& pieces);
 
 } // namespace splineloft

@@ -1,4 +1,5 @@
 // The nearest spot against trying very many.
+#include "core/spline/bounds.h"
 #include "core/spline/nearest.h"
 
 #include "tests/property/random_curves.h"

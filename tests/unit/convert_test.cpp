@@ -1,0 +1,140 @@
+// Conversion, extrema and zeros: the curve stays the same curve, to rounding.
+#include "core/spline/bounds.h"
+#include "core/spline/catalog.h"
+#include "core/spline/convert.h"
+#include "core/spline/roots.h"
+#include "tests/property/random_curves.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace splineloft {
+namespace {
+
+using namespace testing_curves;
+
+/// Both curves at 9 values of u on every piece.
+void expectSame(const Curve& one, const Curve& other, double tolerance, const std::string& what) {
+    const Pieces a = piecesOf(one);
+    const Pieces b = piecesOf(other);
+    ASSERT_EQ(a.size(), b.size()) << what;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (int k = 0; k <= 8; ++k) {
+            expectNear(b.position({i, k / 8.0}), a.position({i, k / 8.0}), tolerance,
+                       what + ", segment " + std::to_string(i));
+        }
+    }
+}
+
+class Convert : public testing::TestWithParam<std::string> {};
+
+TEST_P(Convert, toBezierSplineKeepsTheCurve) {
+    forEveryForm(GetParam(), 5, [](const Curve& curve) {
+        const Pieces pieces = piecesOf(curve);
+        const auto result = converted(curve, "bezier-spline");
+        if (pieces.empty() || (pieces.degree() > 3)) {
+            EXPECT_TRUE(std::holds_alternative<Problem>(result));
+            return;
+        }
+        const auto& spline = std::get<Curve>(result);
+        EXPECT_FALSE(problemOf(spline));
+        expectSame(curve, spline, 16 * roundingOf(curve, blendsOf(curve)), curve.family);
+    });
+}
+
+TEST_P(Convert, toHermiteAndBackIsTheSameOrSaysWhyNot) {
+    forEveryForm(GetParam(), 5, [](const Curve& curve) {
+        const auto result = converted(curve, "hermite");
+        if (const auto* problem = std::get_if<Problem>(&result)) {
+            EXPECT_FALSE(problem->what.empty() || problem->remedy.empty());
+            return;
+        }
+        const auto& hermite = std::get<Curve>(result);
+        EXPECT_FALSE(problemOf(hermite));
+        expectSame(curve, hermite, 64 * roundingOf(curve, blendsOf(curve)), curve.family);
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Convert, testing::ValuesIn(familyIds()), testNameOf);
+
+TEST(Convert, refusesWithAReason) {
+    Curve curve;
+    curve.family = "b-spline";
+    curve.parameters["degree"] = 5;
+    curve.points = {{0, 1}, {2, 3}, {4, 0}, {5, 5}, {6, 1}, {8, 2}, {9, 9}};
+    const auto result = converted(curve, "bezier-spline");
+    ASSERT_TRUE(std::holds_alternative<Problem>(result));
+    EXPECT_NE(std::get<Problem>(result).what.find("degree 5"), std::string::npos);
+    EXPECT_TRUE(std::holds_alternative<Problem>(converted(curve, "duff")));
+    EXPECT_TRUE(std::holds_alternative<Problem>(converted(curve, "bezier")));
+}
+
+TEST(Elevated, degreeFromTwoToSevenIsTheSamePiece) {
+    Curve curve;
+    curve.family = "bezier";
+    curve.ends = Ends::none;
+    curve.points = {{101, 7}, {103.5, 11}, {107, 6}};
+    const Pieces pieces = piecesOf(curve);
+    Curve high = curve;
+    high.points = Points(2);
+    for (const auto& point : elevated(pieces[0], 7)) {
+        high.points.append(point);
+    }
+    EXPECT_EQ(high.points.size(), 8U);
+    expectSame(curve, high, 1e-12, "elevated");
+}
+
+TEST(Roots, ofKnownPolynomials) {
+    // (u - 1/4)(u - 3/4): power form 3/16 - u + u^2.
+    const auto two = rootsOf(std::vector{3.0 / 16, 3.0 / 16 - 0.5, 3.0 / 16});
+    ASSERT_EQ(two.size(), 2U);
+    EXPECT_NEAR(two[0], 0.25, 1e-15);
+    EXPECT_NEAR(two[1], 0.75, 1e-15);
+    EXPECT_EQ(rootsOf(std::vector{0.0, 1.0}), std::vector{0.0});
+    EXPECT_EQ(rootsOf(std::vector{-1.0, 0.0}), std::vector{1.0});
+    EXPECT_TRUE(rootsOf(std::vector{0.0, 0.0, 0.0}).empty());
+    EXPECT_TRUE(rootsOf(std::vector{1.0, 2.0, 0.5}).empty());
+    EXPECT_TRUE(rootsOf(std::vector{5.0}).empty());
+    EXPECT_NEAR(rootsOf(std::vector{1e300, -1e300}).front(), 0.5, 1e-15);
+    EXPECT_NEAR(rootsOf(std::vector{1e-300, -1e-300}).front(), 0.5, 1e-15);
+}
+
+class Bounds : public testing::TestWithParam<std::string> {};
+
+TEST_P(Bounds, areTouchedAndNeverLeft) {
+    forEveryForm(GetParam(), 5, [](const Curve& curve) {
+        const Pieces pieces = piecesOf(curve);
+        const auto box = bounds(pieces);
+        ASSERT_EQ(box.has_value(), !pieces.empty());
+        if (!box) {
+            return;
+        }
+        const double tolerance = 64 * roundingOf(curve, blendsOf(curve));
+        Box seen{pieces.position({0, 0}), pieces.position({0, 0})};
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            for (int k = 0; k <= 200; ++k) {
+                const Point p = pieces.position({i, k / 200.0});
+                for (int c = 0; c < p.dimension(); ++c) {
+                    EXPECT_GE(p[c], box->low[c] - tolerance) << curve.family;
+                    EXPECT_LE(p[c], box->high[c] + tolerance) << curve.family;
+                    seen.low[c] = std::min(seen.low[c], p[c]);
+                    seen.high[c] = std::max(seen.high[c], p[c]);
+                }
+            }
+        }
+        // 200 steps a piece come within (1/200)^2 / 8 of the second derivative of every extremum.
+        const auto hull = hullBox(pieces);
+        const double near =
+            distance(hull->low, hull->high) * pieces.degree() * pieces.degree() * 4 / 320000;
+        for (int c = 0; c < pieces.dimension(); ++c) {
+            EXPECT_NEAR(box->low[c], seen.low[c], near + tolerance) << curve.family;
+            EXPECT_NEAR(box->high[c], seen.high[c], near + tolerance) << curve.family;
+        }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Bounds, testing::ValuesIn(familyIds()), testNameOf);
+
+} // namespace
+} // namespace splineloft
