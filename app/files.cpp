@@ -1,5 +1,6 @@
 #include "app/files.h"
 
+#include "app/commands.h"
 #include "core/document/edits.h"
 #include "core/formats/document_json.h"
 #include "core/formats/file.h"
@@ -8,26 +9,13 @@
 #include "example.h"
 
 #include <filesystem>
+#include <iostream>
 #include <utility>
 
 namespace splineloft::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-Result<Document> documentIn(const std::string& path) {
-    const auto text = readFile(path);
-    if (!text) {
-        return text.refusal();
-    }
-    auto document = readDocument(*text);
-    if (!document) {
-        Refusal refusal = document.refusal();
-        refusal.file = path;
-        return refusal;
-    }
-    return document;
-}
 
 /// Removes what saves that were killed left in the folder of a file.
 void sweepBeside(const std::string& path) {
@@ -36,7 +24,7 @@ void sweepBeside(const std::string& path) {
 }
 
 void carryOut(ui::Session& session, const ui::OpenFile& request) {
-    auto document = documentIn(request.path);
+    auto document = openDocument(request.path, std::cin);
     if (!document) {
         return session.complain(document.refusal().message());
     }
@@ -94,14 +82,14 @@ Result<ui::Session> beginSession(const std::vector<std::string>& files) {
                     " does not exist yet: lay down points, and save it with Ctrl+S");
         return session;
     }
-    auto first = documentIn(files.front());
+    auto first = openDocument(files.front(), std::cin);
     if (!first) {
         return first.refusal();
     }
     sweepBeside(files.front());
     ui::Session session(std::move(*first), files.front());
     for (std::size_t i = 1; i < files.size(); ++i) {
-        const auto more = documentIn(files[i]);
+        const auto more = openDocument(files[i], std::cin);
         if (!more) {
             return more.refusal();
         }

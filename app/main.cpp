@@ -1,5 +1,6 @@
 // Splineloft: reads the command line, then opens the editor or does the one thing that was asked.
 #include "app/command_line.h"
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/image.h"
 #include "app/loop.h"
@@ -51,8 +52,19 @@ std::optional<std::string> showOnly(ui::Layers& layers, const std::vector<std::s
     return std::nullopt;
 }
 
+Result<ui::Session> sessionFor(const DrawScreenshot& asked) {
+    if (!asked.file) {
+        return ui::Session(exampleDocument());
+    }
+    auto document = openDocument(*asked.file, std::cin);
+    if (!document) {
+        return document.refusal();
+    }
+    return ui::Session(std::move(*document), *asked.file);
+}
+
 int drawScreenshot(const DrawScreenshot& asked) {
-    auto session = beginSession(asked.file ? std::vector{*asked.file} : std::vector<std::string>{});
+    auto session = sessionFor(asked);
     if (!session) {
         return complain(session.refusal().message());
     }
