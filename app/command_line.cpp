@@ -75,7 +75,8 @@ std::vector<double> numbersOf(const std::string& option, const std::string& list
 /// All options, as they were written.
 struct Written {
     std::vector<std::string> files; ///< of the editor or of `check`
-    std::string file, curve, segment, u, t, perPiece, count, output, size, scale, show;
+    std::string file, curve, segment, u, t, perPiece, count, output, size, scale, show, format,
+        family;
     std::string spacing = "parameter";
     std::string theme = "dark";
     bool json = false;
@@ -166,6 +167,8 @@ class CommandLine {
         addEval();
         addBasis();
         addSample();
+        addMeasure();
+        addConvert();
         addCheck();
         addScreenshot();
     }
@@ -246,6 +249,35 @@ class CommandLine {
         sub->callback([this] { sampleInto(written_.output); });
     }
 
+    void addMeasure() {
+        auto* sub = add("measure", "Length, bounds and the continuity of each joint, as JSON");
+        addFile(*sub);
+        addCurve(*sub);
+        sub->callback([this] { answer(measure(choiceIn(written_), streams_.in)); });
+    }
+
+    void addConvert() {
+        auto* sub = add("convert", "The same curves as another family, in a document of their own");
+        addFile(*sub);
+        sub->add_option("-o", written_.output, "The new document")
+            ->type_name("OUT.json")
+            ->required();
+        sub->add_option("--to", written_.format, "Format (default: by the ending of OUT)")
+            ->check(CLI::IsMember({"json"}));
+        sub->add_option("--family", written_.family,
+                        "bezier-spline, hermite, bezier or linear (default: stay)");
+        sub->callback([this] {
+            if (written_.format.empty() && !endsWith(written_.output, ".json")) {
+                throw CLI::ValidationError("-o", inQuotes(written_.output) +
+                                                     " does not end in .json; or name a format "
+                                                     "with --to json");
+            }
+            const auto family =
+                written_.family.empty() ? std::nullopt : std::optional(written_.family);
+            save(written_.output, convert(written_.file, family, streams_.in));
+        });
+    }
+
     void addCheck() {
         auto* sub = add("check", "Say of each file whether it is a good document");
         sub->add_option("FILE", written_.files, "Documents; - is the standard input")->required();
@@ -302,7 +334,14 @@ class CommandLine {
         if (output.empty()) {
             return answer(text);
         }
-        const auto saved = saveFile(output, text);
+        save(output, text);
+    }
+
+    void save(const std::string& output, const Result<std::string>& text) {
+        if (!text) {
+            return refuse(text.refusal());
+        }
+        const auto saved = saveFile(output, *text);
         if (!saved) {
             return refuse(saved.refusal());
         }

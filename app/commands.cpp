@@ -4,7 +4,11 @@
 #include "core/formats/file.h"
 #include "core/formats/json_text.h"
 #include "core/formats/numbers.h"
+#include "core/spline/bounds.h"
 #include "core/spline/catalog.h"
+#include "core/spline/continuity.h"
+#include "core/spline/convert.h"
+#include "core/spline/length.h"
 
 #include <algorithm>
 #include <istream>
@@ -129,6 +133,30 @@ void writeJet(JsonText& json, const Spot& spot, double t, const Jet& jet) {
     json.end();
 }
 
+void writeJoint(JsonText& json, const Joint& joint) {
+    json.beginObject(Flow::inLine);
+    json.key("t");
+    json.number(joint.t);
+    json.key("c");
+    json.raw(std::to_string(joint.c));
+    json.key("g");
+    json.raw(std::to_string(joint.g));
+    json.key("residuals");
+    json.beginObject(Flow::inLine);
+    const auto residual = [&](const char* name, double value) {
+        json.key(name);
+        json.numberOrNull(value);
+    };
+    residual("position", joint.gap);
+    residual("first", joint.firstJump);
+    residual("second", joint.secondJump);
+    residual("direction", joint.turn);
+    residual("curvature", joint.curvatureJump);
+    residual("speedRatio", joint.speedRatio);
+    json.end();
+    json.end();
+}
+
 void writeWeights(JsonText& json, std::string_view key, const Blend& blend, std::size_t first,
                   std::size_t count) {
     std::vector<double> weights(count);
@@ -211,6 +239,54 @@ Result<std::string> basisAt(const SpotQuery& query, std::istream& standardInput)
     }
     json.end();
     return std::move(json).finished();
+}
+
+Result<std::string> measure(const CurveChoice& choice, std::istream& standardInput) {
+    const auto chosen = choose(choice, standardInput);
+    if (!chosen) {
+        return chosen.refusal();
+    }
+    const auto pieces = piecesOf(*chosen->curve);
+    const auto box = bounds(pieces);
+    if (!box) {
+        return chosen->refuse(tooFewPoints(*chosen->curve));
+    }
+    JsonText json;
+    json.beginObject();
+    json.key("length");
+    json.number(ArcLength(pieces).total());
+    json.key("bounds");
+    json.beginObject(Flow::inLine);
+    json.key("low");
+    json.numbers(box->low.coordinates());
+    json.key("high");
+    json.numbers(box->high.coordinates());
+    json.end();
+    json.key("joints");
+    json.beginArray();
+    for (const auto& joint : jointsOf(pieces, chosen->curve->closed)) {
+        writeJoint(json, joint);
+    }
+    json.end();
+    json.end();
+    return std::move(json).finished();
+}
+
+Result<std::string> convert(const std::string& file, const std::optional<std::string>& family,
+                            std::istream& standardInput) {
+    auto document = openDocument(file, standardInput);
+    if (!document) {
+        return document.refusal();
+    }
+    for (std::size_t i = 0; family && i < document->curves.size(); ++i) {
+        auto result = converted(*document->curves[i], *family);
+        if (const auto* problem = std::get_if<Problem>(&result)) {
+            return Refusal{nameOfFile(file), "/curves/" + std::to_string(i) + problem->place,
+                           problem->what, problem->remedy};
+        }
+        document->curves[i] = std::make_shared<Curve>(std::get<Curve>(std::move(result)));
+    }
+    return writeDocument(*document);
 }
 
 Result<SampledPath> sample(const CurveChoice& choice, const Sampling& sampling,

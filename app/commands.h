@@ -43,6 +43,16 @@ Result<std::string> evaluate(const SpotQuery& query, std::istream& standardInput
 /// "tangentWeights".
 Result<std::string> basisAt(const SpotQuery& query, std::istream& standardInput);
 
+/// JSON object of a curve: {"length","bounds":{"low","high"},"joints":[{"t","c","g","residuals"}]}.
+/// Residuals are the jumps of position, first and second derivative by t, of direction (radians)
+/// and of the curvature vector, and the speed after the joint over that before it.
+Result<std::string> measure(const CurveChoice& choice, std::istream& standardInput);
+
+/// The text of a document, with all curves turned into another family where one is named. Refused
+/// where a curve has no equal in it.
+Result<std::string> convert(const std::string& file, const std::optional<std::string>& family,
+                            std::istream& standardInput);
+
 /// The samples of a curve of a file.
 Result<SampledPath> sample(const CurveChoice& choice, const Sampling& sampling,
                            std::istream& standardInput);
