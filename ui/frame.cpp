@@ -73,6 +73,9 @@ void fitIfAsked(Session& session, double scale) {
     for (std::size_t i = 0; i < session.studies.size(); ++i) {
         const Study& study = session.studies[i];
         auto places = controlPlaces(study.curve(), session.view.axes);
+        for (std::size_t k = 0; k < study.curve().tangents.size(); ++k) {
+            places.push_back(tangentTip(study.curve(), session.view.axes, k));
+        }
         const auto& plane = study.plane(session.view.axes);
         for (std::size_t k = 0; k < std::min<std::size_t>(plane.size(), 10'000); ++k) {
             for (const double u : {0.25, 0.5, 0.75}) {

@@ -126,8 +126,7 @@ void drawSegments(Scene& scene, const PlotFrame& plot, const Study& study, Spot 
     drawCursor(scene, plot, cursor.u);
     const Blend now = study.blends()->basis(cursor);
     for (const auto& [control, weight] : now.shares()) {
-        scene.marks.push_back(
-            {plot.at(cursor.u, weight), SignShape::disc, {Role::basis, static_cast<int>(control)}});
+        scene.marks.push_back({plot.at(cursor.u, weight), SignShape::disc, inkOf(study, control)});
     }
 }
 
