@@ -20,11 +20,15 @@ auto called(std::string name) {
     return [name = std::move(name)](const Session&) { return name; };
 }
 
+/// Keys edit what is settled; while a hand shows what is not, they wait.
+bool handsOff(const Session& session) {
+    return !session.history.previewing();
+}
 bool hasCurve(const Session& session) {
-    return session.active() != nullptr;
+    return session.active() != nullptr && handsOff(session);
 }
 bool hasSelection(const Session& session) {
-    return !session.view.selection.empty();
+    return !session.view.selection.empty() && handsOff(session);
 }
 
 std::vector<PointId> selected(const Session& session) {
@@ -104,15 +108,15 @@ void addEditCommands(std::vector<Command>& all) {
                    [](const Session& s) { return "Undo " + std::string(s.history.undoLabel()); },
                    {{Key::z, control}},
                    [](Session& s) { s.undo(); },
-                   [](const Session& s) {
-                       return s.history.canUndo() || s.history.previewing();
-                   }});
+                   [](const Session& s) { return s.history.canUndo() || s.history.previewing(); }});
+    all.back().repeats = true;
     all.push_back({"edit.redo",
                    "Edit",
                    [](const Session& s) { return "Redo " + std::string(s.history.redoLabel()); },
                    {{Key::y, control}, {Key::z, controlShift}},
                    [](Session& s) { s.redo(); },
                    [](const Session& s) { return s.history.canRedo(); }});
+    all.back().repeats = true;
     all.push_back({"edit.delete",
                    "Edit",
                    called("Delete points"),
@@ -148,12 +152,14 @@ void addNudges(std::vector<Command>& all) {
                        {{way.key}},
                        [way](Session& s) { nudge(s, way.right, way.up, 1); },
                        hasSelection});
+        all.back().repeats = true;
         all.push_back({"edit.nudgeFar." + name,
                        "",
                        called("Nudge " + name + " ten times as far"),
                        {{way.key, shift}},
                        [way](Session& s) { nudge(s, way.right, way.up, 10); },
                        hasSelection});
+        all.back().repeats = true;
     }
 }
 
@@ -179,9 +185,11 @@ void addViewCommands(std::vector<Command>& all) {
                    called("Zoom in"),
                    {{Key::equal}, {Key::equal, shift}},
                    [](Session& s) { zoomAtMiddle(s, 1.25); }});
+    all.back().repeats = true;
     all.push_back({"view.zoomOut", "View", called("Zoom out"), {{Key::minus}}, [](Session& s) {
                        zoomAtMiddle(s, 0.8);
                    }});
+    all.back().repeats = true;
     addLayer(all, "polygon", "Control polygon", Key::g, &Layers::polygon);
     all.back().startsGroup = true;
     addLayer(all, "labels", "Names", Key::n, &Layers::labels);
@@ -363,11 +371,12 @@ const Command& commandNamed(std::string_view id) {
     return *found;
 }
 
-bool runShortcut(Session& session, const Shortcut& shortcut) {
+bool runShortcut(Session& session, const Shortcut& shortcut, Strike strike) {
     for (const auto& command : commands()) {
         const bool named =
             std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
-        if (named && command.possible(session)) {
+        const bool due = strike == Strike::fresh || command.repeats;
+        if (named && due && command.possible(session)) {
             command.run(session);
             return true;
         }

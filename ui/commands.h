@@ -32,6 +32,7 @@ struct Command {
     /// For what is on or off.
     std::function<bool(const Session&)> checked = nullptr;
     bool startsGroup = false; ///< a line stands above it in the menu
+    bool repeats = false;     ///< again and again while its key is held down
 };
 
 std::span<const Command> commands();
@@ -39,7 +40,10 @@ std::span<const Command> commands();
 /// The command of that id. Throws std::out_of_range where there is none.
 const Command& commandNamed(std::string_view id);
 
+/// Whether a key was struck, or is only still held down.
+enum class Strike { fresh, repeated };
+
 /// Runs the possible command of that shortcut, if there is one.
-bool runShortcut(Session& session, const Shortcut& shortcut);
+bool runShortcut(Session& session, const Shortcut& shortcut, Strike strike = Strike::fresh);
 
 } // namespace splineloft::ui

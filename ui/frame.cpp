@@ -56,7 +56,7 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
             const bool holding = ImGui::IsAnyItemActive() && !io.WantTextInput &&
                                  std::holds_alternative<Idle>(session.gesture);
             if (!typing && !holding && !session.dialog) {
-                runShortcut(session, shortcut);
+                runShortcut(session, shortcut, key->repeat ? Strike::repeated : Strike::fresh);
             }
         }
     }
@@ -73,6 +73,9 @@ void fitIfAsked(Session& session, double scale) {
     for (std::size_t i = 0; i < session.studies.size(); ++i) {
         const Study& study = session.studies[i];
         auto places = controlPlaces(study.curve(), session.view.axes);
+        for (std::size_t k = 0; k < study.curve().tangents.size(); ++k) {
+            places.push_back(tangentTip(study.curve(), session.view.axes, k));
+        }
         const auto& plane = study.plane(session.view.axes);
         for (std::size_t k = 0; k < std::min<std::size_t>(plane.size(), 10'000); ++k) {
             for (const double u : {0.25, 0.5, 0.75}) {
@@ -81,10 +84,8 @@ void fitIfAsked(Session& session, double scale) {
             }
         }
         for (const auto& p : places) {
+            high = low ? PlanePoint{std::max(high.x, p.x), std::max(high.y, p.y)} : p;
             low = low ? PlanePoint{std::min(low->x, p.x), std::min(low->y, p.y)} : p;
-            high = low == p && high == PlanePoint{}
-                       ? p
-                       : PlanePoint{std::max(high.x, p.x), std::max(high.y, p.y)};
         }
     }
     session.view.camera =
@@ -213,7 +214,6 @@ FrameResult runFrame(Session& session, const Screen& screen, std::span<const Inp
     const double strip = session.view.layers.basis ? session.view.strip : 0;
     const auto layout = layOut(screen.width, screen.height, screen.scale, strip);
     const auto stage = [&](const ScreenRect& rect) { return Stage{theme, screen.scale, rect}; };
-    drawCanvas(session, stage(layout.canvas), events);
     drawToolRail(session, stage(layout.tools));
     const auto frames = drawStrip(session, session.view, stage(layout.strip));
     if (auto edit = drawInspector(session, session.view, stage(layout.inspector))) {
@@ -223,6 +223,8 @@ FrameResult runFrame(Session& session, const Screen& screen, std::span<const Inp
             releaseActiveWidget();
         }
     }
+    // After the panels: what was typed there is entered by the press that acts here.
+    drawCanvas(session, stage(layout.canvas), events);
     drawStatus(session, stage(layout.status));
     drawMenuBar(session, stage(layout.menu));
     drawDialog(session, stage({0, 0, static_cast<double>(screen.width),

@@ -15,8 +15,8 @@ Sign signOf(const SceneMark& mark, const Theme& theme, Colour background, double
     const Colour colour = colourOf(theme, mark.ink);
     Sign sign{.x = static_cast<float>(mark.at.x),
               .y = static_cast<float>(mark.at.y),
-              .radius = static_cast<float>(markRadius(mark.ink, scale)),
-              .outlineWidth = 1.5F * pixels,
+              .radius = static_cast<float>(mark.size * markRadius(mark.ink, scale)),
+              .outlineWidth = mark.size < 1 ? 0 : 1.5F * pixels,
               .angle = static_cast<float>(mark.angle),
               .shape = mark.shape,
               .fill = colour,

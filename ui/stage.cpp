@@ -28,17 +28,18 @@ ImVec4 floating(Colour c) {
 Layout layOut(double width, double height, double scale, double strip) {
     Layout layout;
     const double top = menuHeight * scale;
-    const double bottom = height - statusHeight * scale;
-    const double right = width - std::min(inspectorWidth * scale, width / 2);
     const double left = toolsWidth * scale;
+    // However small the window, the canvas keeps a pixel.
+    const double bottom = std::max(height - statusHeight * scale, top + 1);
+    const double right = std::max(width - std::min(inspectorWidth * scale, width / 2), left + 1);
     const double most = std::max(bottom - top - leastCanvas * scale, 0.0);
     const double plots = std::min(strip * scale, most);
     layout.menu = {0, 0, width, top};
     layout.tools = {0, top, left, bottom - top - plots};
     layout.canvas = {left, top, right - left, bottom - top - plots};
     layout.strip = {0, bottom - plots, right, plots};
-    layout.inspector = {right, top, width - right, bottom - top};
-    layout.status = {0, bottom, width, height - bottom};
+    layout.inspector = {right, top, std::max(width - right, 1.0), bottom - top};
+    layout.status = {0, bottom, width, statusHeight * scale};
     return layout;
 }
 

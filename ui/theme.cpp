@@ -23,8 +23,8 @@ const Theme dark{
      .accent = hex(0x56b4e9),
      .accentSoft = hex(0x24405a),
      .warning = hex(0xf2a65a)},
-    {hex(0x56b4e9), hex(0xe69f00), hex(0x2fc79a), hex(0xd98bb8), hex(0xf0e442), hex(0xee7b45),
-     hex(0x9fa5ff)},
+    {hex(0x56b4e9), hex(0xe69f00), hex(0x2fc79a), hex(0xd98bb8), hex(0xf0e442), hex(0x9fa5ff),
+     hex(0xee7b45)},
     {hex(0x9aa3ae), hex(0xe69f00), hex(0x2fc79a), hex(0xd98bb8), hex(0x56b4e9), hex(0xf0e442)}};
 
 const Theme light{
@@ -62,7 +62,8 @@ float widthOf(Role role) {
     case Role::curve: return 3;
     case Role::otherCurve: return 2;
     case Role::curveHalo: return 9;
-    case Role::basis: return 1.8F;
+    case Role::basis:
+    case Role::tangentBasis: return 1.8F;
     case Role::ladder: return 1.8F;
     case Role::plotCursor:
     case Role::snap: return 1.5F;
@@ -98,13 +99,14 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
     case Role::gridNumber: return mixed(s.text, s.canvas, 0.5);
     case Role::curve: return s.text;
     case Role::otherCurve:
-    case Role::otherControl: return mixed(s.text, s.canvas, 0.45);
+    case Role::otherControl: return mixed(s.text, s.canvas, 0.47);
     case Role::curveHalo: return mixed(s.accent, s.canvas, 0.3);
     case Role::polygon: return mixed(s.text, s.canvas, 0.5);
     case Role::handleLine: return mixed(s.text, s.canvas, 0.6);
     case Role::control:
     case Role::handle:
-    case Role::basis: return turn(theme.controls, ink.index);
+    case Role::basis:
+    case Role::tangentBasis: return turn(theme.controls, ink.index);
     case Role::selected: return s.text;
     case Role::hovered: return mixed(s.text, s.canvas, 0.6);
     case Role::ghost: return mixed(s.accent, s.canvas, 0.8);
@@ -128,7 +130,7 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
 StrokeStyle strokeOf(const Theme& theme, const Ink& ink, double scale) {
     const auto pixels = static_cast<float>(scale);
     StrokeStyle style{.width = widthOf(ink.role) * pixels, .colour = colourOf(theme, ink)};
-    if (ink.role == Role::polygon || ink.role == Role::box) {
+    if (ink.role == Role::polygon || ink.role == Role::box || ink.role == Role::tangentBasis) {
         style.dash = 6 * pixels;
         style.gap = 5 * pixels;
     }
@@ -144,6 +146,7 @@ double markRadius(const Ink& ink, double scale) {
     case Role::hovered: return 10 * scale;
     case Role::ghost: return 5 * scale;
     case Role::basis:
+    case Role::tangentBasis:
     case Role::ladder: return 4.5 * scale;
     case Role::tip: return 7 * scale;
     case Role::bead: return 3.5 * scale;

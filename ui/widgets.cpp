@@ -1,5 +1,6 @@
 #include "ui/widgets.h"
 
+#include "ui/arithmetic.h"
 #include "ui/canvas/wording.h"
 #include "ui/imgui_compat.h"
 
@@ -8,24 +9,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace splineloft::ui {
 namespace {
 
 // How near to the neutral value the knob is drawn to it: part of the track.
 constexpr double magnet = 0.012;
-
-std::optional<double> parsed(const char* text) {
-    while (*text == ' ' || *text == '+') {
-        ++text;
-    }
-    const auto length = std::strlen(text);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text, text + length, value);
-    const bool whole = std::string_view(end).find_first_not_of(' ') == std::string_view::npos;
-    return error == std::errc() && whole && std::isfinite(value) ? std::optional(value)
-                                                                 : std::nullopt;
-}
 
 /// The number with as many digits as fit into a field of that width.
 std::string fitting(double value, float width) {
@@ -123,8 +113,7 @@ std::optional<double> numberField(const char* id, double value, double width) {
     std::array<char, 64> text{};
     std::copy_n(digits.begin(), std::min(digits.size(), text.size() - 1), text.begin());
     ImGui::SetNextItemWidth(wide);
-    ImGui::InputText(id, text.data(), text.size(),
-                     ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::InputText(id, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemActive()) {
         typed = text;
     }
@@ -132,8 +121,12 @@ std::optional<double> numberField(const char* id, double value, double width) {
         return std::nullopt;
     }
     const bool here = std::strcmp(text.data(), digits.c_str()) != 0;
-    const auto wanted = parsed(here ? text.data() : typed.data());
-    return wanted != value ? wanted : std::nullopt;
+    const char* now = here ? text.data() : typed.data();
+    if (fitting(value, wide) == now) {
+        return std::nullopt; // Tab came too soon for every digit: what was shown was not changed
+    }
+    const double wanted = valueOf(now).value_or(std::numeric_limits<double>::quiet_NaN());
+    return wanted != value ? std::optional(wanted) : std::nullopt;
 }
 
 std::optional<Turned> parameterSlider(const Parameter& parameter, double value,
@@ -142,7 +135,7 @@ std::optional<Turned> parameterSlider(const Parameter& parameter, double value,
     ImGui::PushID(parameter.key.data());
     const std::string label(parameter.label);
     const std::string symbol(parameter.symbol);
-    const float width = ImGui::GetContentRegionAvail().x;
+    const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
     const float field = stage.px(92);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label.c_str());

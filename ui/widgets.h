@@ -18,7 +18,9 @@ struct Turned {
     Phase phase = Phase::preview;
 };
 
-/// A field that shows a number exactly and takes a new one on Enter, Tab or a click elsewhere.
+/// A field that shows a number exactly and takes a new one on Enter, Tab or a click elsewhere; sums
+/// and products are worked out. What is no number comes back as not-a-number, to be refused in
+/// words where it would have gone.
 std::optional<double> numberField(const char* id, double value, double width);
 
 /// Name, symbol, value and track of one parameter. A mark shows the neutral value, to which the

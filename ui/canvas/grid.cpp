@@ -2,6 +2,7 @@
 
 #include "ui/canvas/wording.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace splineloft::ui {
@@ -9,6 +10,11 @@ namespace {
 
 constexpr double finePixels = 16;
 constexpr double coarsePixels = 80;
+
+/// How many whole numbers there are from `first` on up to `last`; no more than a screen has pixels.
+int linesBetween(double first, double last) {
+    return static_cast<int>(std::clamp(std::floor(last - first) + 1, 0.0, 10'000.0));
+}
 
 /// One set of parallel lines, across (x = k * step) or along (y = k * step).
 void drawLines(Scene& scene, const Viewport& viewport, double step, Role role, double scale,
@@ -18,7 +24,10 @@ void drawLines(Scene& scene, const Viewport& viewport, double step, Role role, d
     const PlanePoint high = viewport.toPlane({frame.right(), frame.top});
     const auto ink = [role](double k) { return Ink{k == 0 ? Role::gridAxis : role, 0}; };
     const double inset = 5 * scale;
-    for (double k = std::ceil(low.x / step); k <= high.x / step; ++k) {
+    // Counted by whole steps: far out, a double k + 1 could be k again.
+    const double left = std::ceil(low.x / step);
+    for (int i = 0; i < linesBetween(left, high.x / step); ++i) {
+        const double k = left + i;
         const double x = viewport.toScreen({k * step, 0}).x;
         scene.strokes.push_back({{{x, frame.top}, {x, frame.bottom()}}, ink(k)});
         if (numbered) {
@@ -30,7 +39,9 @@ void drawLines(Scene& scene, const Viewport& viewport, double step, Role role, d
                                     true});
         }
     }
-    for (double k = std::ceil(low.y / step); k <= high.y / step; ++k) {
+    const double lowest = std::ceil(low.y / step);
+    for (int i = 0; i < linesBetween(lowest, high.y / step); ++i) {
+        const double k = lowest + i;
         const double y = viewport.toScreen({0, k * step}).y;
         scene.strokes.push_back({{{frame.left, y}, {frame.right(), y}}, ink(k)});
         const bool clear = y < frame.bottom() - 30 * scale && y > frame.top + 14 * scale;

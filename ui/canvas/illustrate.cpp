@@ -18,6 +18,9 @@ constexpr std::size_t combTeeth = 150; // on the whole curve, about
 constexpr double longestTooth = 90;    // design pixels
 constexpr double usualTooth = 34;      // design pixels, for the mean curvature
 
+constexpr double usualGap = 24; // design pixels between points whose marks have their full size
+constexpr double leastGap = 4;  // design pixels between marks that can be told apart
+
 /// One scene being drawn.
 class Illustration {
   public:
@@ -109,9 +112,17 @@ class Illustration {
 
     void controls(const Study& study) {
         const auto places = controlPlaces(study.curve(), view_.axes);
+        const double size = sizeOfMarks(places);
+        std::optional<ScreenPoint> last;
         for (std::size_t i = 0; i < places.size(); ++i) {
+            const ScreenPoint at = viewport_.toScreen(places[i]);
+            if (size < 1 && last &&
+                std::hypot(at.x - last->x, at.y - last->y) < leastGap * scale_) {
+                continue; // too near to the one before to be told apart
+            }
+            last = at;
             const Role role = isHandle(study, i) ? Role::handle : Role::control;
-            mark(places[i], shapeOf(study, i), {role, static_cast<int>(i)});
+            mark(places[i], shapeOf(study, i), {role, static_cast<int>(i)}, size);
             if (view_.layers.labels && places.size() <= mostNames && !isHandle(study, i)) {
                 scene_.labels.push_back({pointName(i),
                                          viewport_.toScreen(places[i]),
@@ -166,13 +177,27 @@ class Illustration {
         }
     }
 
-    void mark(PlanePoint place, SignShape shape, Ink ink) {
+    /// Points that lie close together get small marks, so that the curve is still seen.
+    double sizeOfMarks(const std::vector<PlanePoint>& places) const {
+        if (places.size() <= mostNames) {
+            return 1;
+        }
+        double way = 0;
+        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+            way += std::hypot(places[i + 1].x - places[i].x, places[i + 1].y - places[i].y);
+        }
+        const double apart =
+            way * viewport_.camera.pixelsPerUnit / scale_ / static_cast<double>(places.size() - 1);
+        return std::clamp(apart / usualGap, 0.3, 1.0);
+    }
+
+    void mark(PlanePoint place, SignShape shape, Ink ink, double size = 1) {
         const ScreenPoint at = viewport_.toScreen(place);
         const auto& f = viewport_.frame;
         const double edge = 20 * scale_;
         if (at.x > f.left - edge && at.x < f.right() + edge && at.y > f.top - edge &&
             at.y < f.bottom() + edge) {
-            scene_.marks.push_back({at, shape, ink});
+            scene_.marks.push_back({at, shape, ink, 0, size});
         }
     }
 

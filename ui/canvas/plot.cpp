@@ -45,6 +45,13 @@ void drawCursor(Scene& scene, const PlotFrame& plot, double x) {
     scene.strokes.push_back({{plot.at(x, plot.low), plot.at(x, plot.high)}, {Role::plotCursor}});
 }
 
+/// Tangents follow the points in the count of controls; they wear their point's colour.
+Ink inkOf(const Study& study, std::size_t control) {
+    const auto n = study.curve().points.size();
+    return control < n ? Ink{Role::basis, static_cast<int>(control)}
+                       : Ink{Role::tangentBasis, static_cast<int>(control - n)};
+}
+
 bool isEmphasised(const Emphasis& emphasis, std::size_t control) {
     return emphasis.control == control;
 }
@@ -86,7 +93,7 @@ void drawBasis(Scene& scene, const PlotFrame& plot, const Study& study, Spot cur
     const double step = stepFor(plot.right - plot.left, plot.frame.width, 44 * scale);
     drawAxes(scene, plot, step, scale);
     for (const auto& run : study.basisGraph().runs) {
-        SceneStroke stroke{{}, {Role::basis, static_cast<int>(run.control)}};
+        SceneStroke stroke{{}, inkOf(study, run.control)};
         stroke.emphasised = isEmphasised(emphasis, run.control);
         for (const auto& [spot, weight] : run.values) {
             stroke.points.push_back(plot.at(knots.parameter(spot), weight));
@@ -96,9 +103,8 @@ void drawBasis(Scene& scene, const PlotFrame& plot, const Study& study, Spot cur
     drawCursor(scene, plot, knots.parameter(cursor));
     const Blend now = study.blends()->basis(cursor);
     for (const auto& [control, weight] : now.shares()) {
-        scene.marks.push_back({plot.at(knots.parameter(cursor), weight),
-                               SignShape::disc,
-                               {Role::basis, static_cast<int>(control)}});
+        scene.marks.push_back(
+            {plot.at(knots.parameter(cursor), weight), SignShape::disc, inkOf(study, control)});
     }
 }
 
@@ -106,7 +112,7 @@ void drawSegments(Scene& scene, const PlotFrame& plot, const Study& study, Spot 
                   const Emphasis& emphasis, double scale) {
     drawAxes(scene, plot, 0.5, scale);
     for (const auto& run : study.basisGraph().runs) {
-        SceneStroke stroke{{}, {Role::basis, static_cast<int>(run.control)}};
+        SceneStroke stroke{{}, inkOf(study, run.control)};
         stroke.emphasised = isEmphasised(emphasis, run.control);
         for (const auto& [spot, weight] : run.values) {
             if (spot.segment == cursor.segment) {
@@ -120,8 +126,7 @@ void drawSegments(Scene& scene, const PlotFrame& plot, const Study& study, Spot 
     drawCursor(scene, plot, cursor.u);
     const Blend now = study.blends()->basis(cursor);
     for (const auto& [control, weight] : now.shares()) {
-        scene.marks.push_back(
-            {plot.at(cursor.u, weight), SignShape::disc, {Role::basis, static_cast<int>(control)}});
+        scene.marks.push_back({plot.at(cursor.u, weight), SignShape::disc, inkOf(study, control)});
     }
 }
 

@@ -39,7 +39,8 @@ enum class Role {
     plotBand,
     plotCursor,
     plotText,
-    basis ///< a basis function, in its control point's colour
+    basis,       ///< a basis function, in its control point's colour
+    tangentBasis ///< that of a tangent: in its point's colour, dashed
 };
 
 /// A role, and of which control point or level.
@@ -60,6 +61,7 @@ struct SceneMark {
     SignShape shape = SignShape::disc;
     Ink ink;
     double angle = 0; ///< radians, clockwise on the screen
+    double size = 1;  ///< of the role's usual size; small marks have no rim
 };
 
 /// Text near a place. "_" in the text lowers what follows, up to a space: "P_1,2".

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace splineloft::ui {
 namespace {
@@ -18,6 +19,11 @@ constexpr double weightsWidth = 190;
 constexpr double segmentsWidth = 210;
 constexpr double gap = 44;
 constexpr double leastForWeights = 560;
+
+/// A number that was typed in, or the old one where it was none.
+double clampedTo(double typed, double least, double most, double old) {
+    return std::isfinite(typed) ? std::clamp(typed, least, most) : old;
+}
 
 /// Play and pause, pace, duration, beads.
 void drawTransport(View& view, const Stage& stage) {
@@ -39,7 +45,7 @@ void drawTransport(View& view, const Stage& stage) {
     ImGui::TextUnformatted("in");
     ImGui::SameLine();
     if (const auto seconds = numberField("##duration", view.duration, stage.px(52))) {
-        view.duration = std::clamp(*seconds, 0.1, 600.0);
+        view.duration = clampedTo(*seconds, 0.1, 600, view.duration);
     }
     explain("Seconds from start to end");
     ImGui::SameLine();
@@ -51,7 +57,7 @@ void drawTransport(View& view, const Stage& stage) {
         ImGui::SameLine();
         ImGui::SetCursorPosY(line);
         if (const auto count = numberField("##beads", view.beads, stage.px(52))) {
-            view.beads = static_cast<int>(std::clamp(*count, 2.0, 1000.0));
+            view.beads = static_cast<int>(clampedTo(*count, 2, 1000, view.beads));
         }
         explain("How many beads: 2 to 1000");
     }
@@ -81,7 +87,8 @@ void drawWeights(const Study& study, const View& view, const Stage& stage, const
         if (++shown > room) {
             break;
         }
-        const Colour dot = colourOf(stage.theme, {Role::control, static_cast<int>(control)});
+        const Colour dot = colourOf(
+            stage.theme, {Role::control, static_cast<int>(control < n ? control : control - n)});
         list.AddCircleFilled(
             {stage.px(6) + static_cast<float>(rect.left), static_cast<float>(y + 9 * stage.scale)},
             stage.px(4.5), packed(dot));
@@ -131,7 +138,7 @@ StripFrames framesIn(const Stage& stage) {
     const double left = r.left + gap * stage.scale;
     const double middle = right - segments - gap * stage.scale;
     return {{left, top, std::max(middle - left, 20 * stage.scale), height},
-            {right - segments, top, segments - 16 * stage.scale, height}};
+            {right - segments, top, std::max(segments - 16 * stage.scale, 1.0), height}};
 }
 
 } // namespace
