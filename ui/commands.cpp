@@ -2,6 +2,7 @@
 
 #include "core/document/edits.h"
 #include "core/spline/catalog.h"
+#include "core/spline/convert.h"
 #include "ui/canvas/grid.h"
 #include "ui/canvas/hints.h"
 #include "ui/canvas/viewport.h"
@@ -74,6 +75,37 @@ void nudge(Session& session, double right, double up, double tenths) {
     session.apply(
         {movedInPlane(session.history.settled(), ids, session.view.axes, right * step, up * step),
          Phase::commit, "Nudge " + nameOf(session.document(), ids)});
+}
+
+bool hasPieces(const Session& session) {
+    return hasCurve(session) && !session.active()->pieces().empty();
+}
+
+/// The same curve with its Bézier points as anchors and handles; says why where it has too high a
+/// degree.
+void turnIntoBezierSpline(Session& session) {
+    auto result = converted(session.active()->curve(), "bezier-spline");
+    if (const auto* problem = std::get_if<Problem>(&result)) {
+        return session.complain("A Bézier spline of the same shape is not possible: " +
+                                problem->what + "; right would be: " + problem->remedy);
+    }
+    Document next = session.history.settled();
+    next.curves[session.view.activeCurve] =
+        std::make_shared<Curve>(std::get<Curve>(std::move(result)));
+    session.view.selection.clear();
+    session.apply({std::move(next), Phase::commit, "Turn into a Bézier spline"});
+}
+
+/// Of the parabolas through three points the one that is a graph over x reaches the middle point at
+/// mu = (x1 - x0) / (x2 - x0) (lecture, figure 1).
+void makeGraph(Session& session) {
+    const Points& points = session.active()->curve().points;
+    const double mu = (points[1][0] - points[0][0]) / (points[2][0] - points[0][0]);
+    if (!(mu > 0 && mu < 1)) {
+        return session.complain("y = f(x) needs the middle point's x between those of the others");
+    }
+    session.apply({setParameter(session.history.settled(), session.view.activeCurve, "mu", mu),
+                   Phase::commit, "Make it y = f(x)"});
 }
 
 void addFileCommands(std::vector<Command>& all) {
@@ -251,6 +283,20 @@ void addCurveCommands(std::vector<Command>& all) {
                    [](const Session& s) { return hasCurve(s) && s.active()->family().closable; },
                    [](const Session& s) { return hasCurve(s) && s.active()->curve().closed; }});
     all.back().startsGroup = true;
+    all.push_back({"curve.toBezierSpline",
+                   "Curve",
+                   called("Turn into a Bézier spline of the same shape"),
+                   {},
+                   turnIntoBezierSpline,
+                   hasPieces});
+    all.push_back({"curve.graph",
+                   "Curve",
+                   called("Parabola as the graph y = f(x)"),
+                   {},
+                   makeGraph,
+                   [](const Session& s) {
+                       return hasPieces(s) && s.active()->curve().family == "parametric-parabola";
+                   }});
     all.push_back({"curve.delete",
                    "Curve",
                    called("Delete the curve"),
