@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -153,6 +154,45 @@ TEST(CommandLine, samples) {
         run({"sample", "-", "--curve", "0", "--count", "3", "--spacing", "length"}, sample);
     EXPECT_EQ(std::ranges::count(even.out, '\n'), 1 + 3);
     EXPECT_NE(even.out.find("\n2,6,1,4,7,0,1,0\n"), std::string::npos) << even.out;
+}
+
+TEST(CommandLine, measures) {
+    const auto ran = run({"measure", "-", "--curve", "0"}, sample); // (1, 2), (4, 6), (4, 7)
+    ASSERT_EQ(ran.exitCode(), 0) << ran.err;
+    const auto measured = json::parse(ran.out);
+    EXPECT_EQ(measured["length"], 6);
+    EXPECT_EQ(measured["bounds"]["low"], (json{1, 2}));
+    EXPECT_EQ(measured["bounds"]["high"], (json{4, 7}));
+    ASSERT_EQ(measured["joints"].size(), 1u);
+    const auto& joint = measured["joints"][0];
+    EXPECT_EQ(joint["t"], 1);
+    EXPECT_EQ(joint["c"], 0);
+    EXPECT_EQ(joint["g"], 0);
+    EXPECT_EQ(joint["residuals"]["position"], 0);
+    EXPECT_NEAR(joint["residuals"]["direction"].get<double>(), std::atan2(3.0, 4.0), 1e-15);
+    EXPECT_NEAR(joint["residuals"]["speedRatio"].get<double>(), 0.2, 1e-15);
+}
+
+TEST(CommandLine, convertsOrSaysWhyNot) {
+    const auto folder =
+        fs::temp_directory_path() / ("splineloft-convert-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const auto out = (folder / "out.json").string();
+    const auto ran = run({"convert", "-", "--family", "bezier-spline", "-o", out}, curves(path));
+    ASSERT_EQ(ran.exitCode(), 0) << ran.err;
+    const auto converted = json::parse(*readFile(out));
+    EXPECT_EQ(converted["curves"][0]["family"], "bezier-spline");
+    EXPECT_EQ(converted["curves"][0]["points"].size(), 10u);
+    const auto before = run({"eval", "-", "--segment", "1", "--u", "0.25"}, curves(path));
+    const auto after = run({"eval", out, "--segment", "1", "--u", "0.25"});
+    EXPECT_EQ(json::parse(before.out)[0]["position"], json::parse(after.out)[0]["position"]);
+
+    const auto refused = run({"convert", "-", "--family", "duff", "-o", out}, curves(path));
+    EXPECT_EQ(refused.exitCode(), 1);
+    EXPECT_NE(refused.err.find("/curves/0/family"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("bezier-spline, hermite, bezier or linear"), std::string::npos);
+    EXPECT_EQ(run({"convert", "-", "-o", "out.svg"}, curves(path)).exitCode(), 2);
+    fs::remove_all(folder);
 }
 
 TEST(CommandLine, samplesIntoFiles) {
