@@ -70,7 +70,7 @@ void zoomAtMiddle(Session& session, double factor) {
 
 /// Moves the selection by so many tenths of a fine grid step.
 void nudge(Session& session, double right, double up, double tenths) {
-    const double step = tenths * fineGridStep(session.view.camera, 1) / 10;
+    const double step = tenths * fineGridStep(session.view.camera, session.scale) / 10;
     const auto ids = selected(session);
     session.apply(
         {movedInPlane(session.history.settled(), ids, session.view.axes, right * step, up * step),

@@ -15,6 +15,7 @@ namespace splineloft::ui {
 namespace {
 
 constexpr double longestStep = 0.1; // seconds
+constexpr double usualUnit = 80;    // design pixels, where there is nothing to fit
 constexpr double fitMargin = 72;    // design pixels around a fitted document
 
 /// Keys that belong to a text field while one is being edited.
@@ -88,8 +89,9 @@ void fitIfAsked(Session& session, double scale) {
             low = low ? PlanePoint{std::min(low->x, p.x), std::min(low->y, p.y)} : p;
         }
     }
-    session.view.camera =
-        low ? fitted(*low, high, session.canvas, fitMargin * scale) : Camera{{0, 0}, 80 * scale};
+    session.view.camera = low && !(*low == high)
+                              ? fitted(*low, high, session.canvas, fitMargin * scale)
+                              : Camera{low.value_or(PlanePoint{}), usualUnit * scale};
 }
 
 /// Moves the cursor along the active curve while it plays; from the end back to the start.

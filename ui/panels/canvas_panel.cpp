@@ -50,6 +50,7 @@ Modifiers heldModifiers() {
 
 void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent> events) {
     session.canvas = stage.rect;
+    session.scale = stage.scale;
     beginPanel("canvas", stage,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
