@@ -295,7 +295,12 @@ void addCurveCommands(std::vector<Command>& all) {
                    {},
                    makeGraph,
                    [](const Session& s) {
-                       return hasPieces(s) && s.active()->curve().family == "parametric-parabola";
+                       if (!hasPieces(s)) {
+                           return false;
+                       }
+                       const Curve& curve = s.active()->curve();
+                       return curve.family == "parametric-parabola" && curve.points.size() == 3 &&
+                              curve.points.dimension() > 1;
                    }});
     all.push_back({"curve.delete",
                    "Curve",

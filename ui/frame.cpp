@@ -118,7 +118,7 @@ void advance(Session& session, double seconds) {
 /// The note at the joint under the pointer.
 void addJointNote(Scene& scene, const Session& session, double scale) {
     const Study* study = session.active();
-    if (study == nullptr || !session.pointerOnCanvas || !study->measuredWhole()) {
+    if (study == nullptr || !session.pointerOnCanvas) {
         return;
     }
     const Viewport viewport{session.view.camera, session.canvas};

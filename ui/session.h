@@ -116,7 +116,7 @@ class Session {
     std::optional<Dialog> dialog;
     std::optional<Notice> notice;
     std::vector<Request> requests;
-    double scale = 1;          ///< pixels per design pixel
+    double scale = 1;    ///< pixels per design pixel
     ScreenRect canvas;   ///< where the canvas was drawn last
     ScreenPoint pointer; ///< where the pointer is
     bool pointerOnCanvas = false;

@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t mostForBlends = 256;
 // A curve of more points is measured on so many of its first ones.
 constexpr std::size_t fewPoints = 24;
+// The joints of a longer curve are not looked at one by one.
+constexpr std::size_t mostForJoints = 5000;
 
 /// Whether two curves have the same blends: they differ at most in where their points are, and the
 /// knots do not follow the points.
@@ -153,6 +155,14 @@ const Traits& Study::traits() const {
     }
     const Curve few = firstPointsOf(*curve_, fewPoints);
     traits_ = traitsOf(few, piecesOf(few), blendsOf(few));
+    traits_->joints.clear();
+    if (curve_->points.size() <= mostForJoints) {
+        traits_->joints = jointsOf(pieces(), curve_->closed);
+    }
+    for (const auto& joint : traits_->joints) {
+        traits_->c = std::min(traits_->c, joint.c);
+        traits_->g = std::min(traits_->g, joint.g);
+    }
     return *traits_;
 }
 

@@ -101,6 +101,8 @@ Joint compare(const Side& before, const Side& after, int degree) {
     joint.turn = angleBetween(before.direction, after.direction);
     joint.curvatureJump = distance(before.curvature, after.curvature);
     const bool bothMove = before.moving && after.moving;
+    joint.atRest = !(before.moving && after.moving);
+    joint.mayBeMore = degree > 3;
     joint.speedRatio =
         bothMove ? std::min(after.speed / before.speed, std::numeric_limits<double>::max()) : 1;
 
@@ -125,12 +127,27 @@ Joint compare(const Side& before, const Side& after, int degree) {
     return joint;
 }
 
+/// Three digits, without an exponent up to a million.
 std::string rounded(double value) {
+    const bool large = std::abs(value) >= 1000 && std::abs(value) < 1e6;
     std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
-            .ptr;
-    return {text.data(), end};
+    const auto end = large ? std::to_chars(text.data(), text.data() + text.size(), value,
+                                           std::chars_format::fixed, 0)
+                           : std::to_chars(text.data(), text.data() + text.size(), value,
+                                           std::chars_format::general, 3);
+    return {text.data(), end.ptr};
+}
+
+/// How the speed changes: as a factor, or in percent where the factor would read as 1.
+std::string speedWords(const Joint& joint) {
+    const double percent = 100 * (joint.speedRatio - 1);
+    if (std::abs(percent) >= 1) {
+        return "the speed changes by the factor " + rounded(joint.speedRatio);
+    }
+    return percent == 0 || joint.atRest
+               ? "the first derivative jumps by " + rounded(joint.firstJump)
+               : "the speed " + std::string(percent > 0 ? "grows" : "falls") + " by " +
+                     rounded(std::abs(percent)) + " %";
 }
 
 } // namespace
@@ -152,9 +169,7 @@ std::vector<Joint> jointsOf(const Pieces& pieces, bool closed) {
 
 std::string describe(const Joint& joint) {
     const std::string degrees = rounded(joint.turn * 180 / std::numbers::pi) + "°";
-    const std::string speed = joint.speedRatio == 1
-                                  ? "the first derivative jumps by " + rounded(joint.firstJump)
-                                  : "the speed changes by the factor " + rounded(joint.speedRatio);
+    const std::string speed = speedWords(joint);
     const std::string second = "the second derivative jumps by " + rounded(joint.secondJump);
     if (joint.c < 0) {
         return "broken: a gap of " + rounded(joint.gap);
@@ -166,7 +181,9 @@ std::string describe(const Joint& joint) {
         return joint.c == 0 ? "C⁰, a corner: the direction " + way : rest + "then the curve " + way;
     }
     if (joint.c == 2) {
-        return joint.g == 2 ? "C²" : "C², at rest: the curve stops here and goes on the same way";
+        return joint.g == 2 || !joint.atRest
+                   ? joint.mayBeMore ? "at least C²" : "C²"
+                   : "C², at rest: the curve stops here and goes on the same way";
     }
     if (joint.g == 2) {
         return joint.c == 1 ? "G², not C²: " + second : "G², not C¹: " + speed;

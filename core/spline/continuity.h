@@ -23,6 +23,8 @@ struct Joint {
     double turn = 0, curvatureJump = 0;
     /// Speed after the joint over speed before it; 1 where either is zero.
     double speedRatio = 1;
+    bool atRest = false;    ///< the speed is zero on one side or both: no curvature to compare
+    bool mayBeMore = false; ///< the degree allows more than C2, which is not measured
 };
 
 /// All joints, in order; for a closed curve the last is the one where it returns to its start.

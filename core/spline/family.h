@@ -85,7 +85,7 @@ struct Family {
     std::string_view id;   ///< as in files
     std::string_view name; ///< for people
     std::string_view summary;
-    std::string_view source; ///< author and year
+    std::string_view source = {}; ///< author and year; none where nobody is named
     std::vector<Parameter> parameters = {};
     std::vector<Ends> ends; ///< those it accepts, the usual one first; {none} where it needs none
     bool closable = true;
@@ -124,6 +124,11 @@ template <class Rule> Family globalFamily(Family description) {
     return description;
 }
 
+/// Layout of a single piece that takes all points.
+inline Layout onePiece(std::span<const double>, std::size_t points) {
+    const int n = points < 2 ? 2 : static_cast<int>(points);
+    return {n - 1, n, n, 0};
+}
 /// Layout of the local cubics: the piece between the middle two of each four points.
 inline Layout fourPointCubic(std::span<const double>, std::size_t) {
     return {3, 4, 1, 1};

@@ -18,6 +18,20 @@ std::string nameOf(const Document& document, const std::vector<PointId>& ids) {
     return anchorOf(*document.curves[id.curve], id.index) ? "handle " + name : name;
 }
 
+/// What a click of the pen would do.
+static std::string penHint(const View& view, const Document& document) {
+    const bool going = view.tool == Tool::pen && view.activeCurve < document.curves.size() &&
+                       !document.curves[view.activeCurve]->closed;
+    if (!going) {
+        return document.curves.empty() ? "Click to begin a curve · Enter or Esc ends"
+                                       : "Click to begin another curve · Enter or Esc ends";
+    }
+    const Curve& curve = *document.curves[view.activeCurve];
+    const bool closes = familyOf(curve).closable && curve.points.size() > 2;
+    return std::string("Click to add a point at the end · ") +
+           (closes ? "click the first point to close · " : "") + "Enter or Esc ends";
+}
+
 std::string hintFor(const Gesture& gesture, const View& view, const Document& document) {
     if (std::holds_alternative<DraggingPoints>(gesture)) {
         return "Shift keeps the axis · Ctrl snaps to grid and points · Esc or right click restores";
@@ -38,12 +52,8 @@ std::string hintFor(const Gesture& gesture, const View& view, const Document& do
                                                  : "") +
                "release to place the point";
     }
-    if (view.tool == Tool::newCurve) {
-        return "Click to begin another curve · Esc ends";
-    }
-    if (view.tool == Tool::pen) {
-        return "Click to add a point at the end · click the first point to close · Enter or Esc "
-               "ends";
+    if (view.tool != Tool::select) {
+        return penHint(view, document);
     }
     if (view.hovered) {
         return "Drag to move " + nameOf(document, {*view.hovered}) +

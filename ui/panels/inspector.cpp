@@ -61,7 +61,9 @@ class Inspector {
             ImGui::EndCombo();
         }
         ImGui::PopFont();
-        quietText(std::string(now.summary) + "\n" + std::string(now.source), stage_);
+        quietText(std::string(now.summary) +
+                      (now.source.empty() ? "" : "\n" + std::string(now.source)),
+                  stage_);
         ImGui::Spacing();
     }
 
@@ -91,7 +93,9 @@ class Inspector {
             ImGui::AlignTextToFramePadding();
             ImGui::TextUnformatted("Ends");
             ImGui::PushFont(font(Face::small));
-            ImGui::SameLine(stage_.px(62));
+            if (names.size() < 4) {
+                ImGui::SameLine(stage_.px(62));
+            }
             const auto clicked = choiceOf("ends", names, static_cast<int>(chosen), stage_,
                                           ImGui::GetContentRegionAvail().x);
             ImGui::PopFont();
@@ -123,12 +127,14 @@ class Inspector {
                                 : "moves ≤ " + std::to_string(t.reach) +
                                       (t.reach == 1 ? " piece" : " pieces")});
         if (!t.joints.empty()) {
-            row.push_back({"C" + std::string(order(t.c))});
-            row.push_back({"G" + std::string(order(t.g))});
+            // Beyond the second derivative nothing is measured.
+            const bool more = study.pieces().degree() > 3;
+            row.push_back({(more && t.c == 2 ? "≥ C" : "C") + std::string(order(t.c))});
+            row.push_back({(more && t.g == 2 ? "≥ G" : "G") + std::string(order(t.g))});
         }
         chips(row, stage_);
         if (!study.measuredWhole()) {
-            quietText("Measured on the first points of many.", stage_);
+            quietText("All but the joints is measured on the first points of many.", stage_);
         }
         joints(t);
         ImGui::Spacing();

@@ -101,7 +101,8 @@ void drawWeights(const Study& study, const View& view, const Stage& stage, const
         y += 3 * stage.scale;
         row(study.family().usesTangents ? "sum of P" : "sum", basis.sumBelow(n), s.text);
     } else {
-        row("… " + std::to_string(basis.shares().size()) + " in all", basis.sumBelow(n), s.quiet);
+        row("… " + std::to_string(basis.shares().size()) + " in all, sum", basis.sumBelow(n),
+            s.quiet);
     }
 }
 

@@ -43,8 +43,9 @@ Family bSpline() {
     return localFamily<BSpline>({
         .id = "b-spline",
         .name = "B-spline",
-        .summary = "Approaches its points as smoothly as its degree allows, and never leaves their "
-                   "hull.",
+        .summary = "Approaches its points as smoothly as its degree allows, and stays in their "
+                   "hull unless its "
+                   "ends are reflected.",
         .source = "Schoenberg 1946 · de Boor 1972 · Riesenfeld 1973",
         .parameters = {{.key = "degree",
                         .label = "Degree",

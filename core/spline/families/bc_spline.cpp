@@ -1,6 +1,6 @@
-// BC-spline: all symmetric cubic filters on four points that reproduce constants, as a square in b
-// and c. Its edges are the families of the 1983 memo: (b, 0) is Duff's with tension b, (0, c) the
-// cardinal spline of tension c.
+// BC-spline: the symmetric, once differentiable cubic filters on four points that reproduce
+// constants, as a square in b and c. Its edges are the families of the 1983 memo: (b, 0) is Duff's
+// with tension b, (0, c) the cardinal spline of tension c.
 #include "core/spline/family.h"
 
 namespace splineloft::families {
@@ -31,8 +31,9 @@ Family bcSpline() {
     return localFamily<BcSpline>({
         .id = "bc-spline",
         .name = "BC-spline",
-        .summary = "Every symmetric cubic on four points: from B-spline through Catmull-Rom to "
-                   "Duff's and the cardinal spline.",
+        .summary = "The smooth symmetric cubics on four points: B-spline (1, 0), Catmull-Rom (0, "
+                   "½), Duff's "
+                   "(b, 0), cardinal (0, c).",
         .source = "Mitchell and Netravali 1988",
         .parameters = {{.key = "b",
                         .label = "B",

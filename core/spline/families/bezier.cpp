@@ -29,11 +29,7 @@ Family bezier() {
         .ends = {Ends::none},
         .closable = false,
         .mostPoints = mostPoints,
-        .layout =
-            [](std::span<const double>, std::size_t points) {
-                const int n = std::max(2, static_cast<int>(points));
-                return Layout{n - 1, n, n, 0};
-            },
+        .layout = onePiece,
     });
 }
 

@@ -22,8 +22,7 @@ Family cardinal() {
         .id = "cardinal",
         .name = "Cardinal",
         .summary =
-            "Passes through every point; each tangent is a fraction of the chord between the "
-            "neighbours.",
+            "Passes through every point; each tangent is a times the chord between the neighbours.",
         .source = "Catmull and Rom 1974 · Clark 1981",
         .parameters = {{.key = "tension",
                         .label = "Tension",

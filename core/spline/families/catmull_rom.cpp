@@ -37,10 +37,10 @@ Family catmullRom() {
     return localFamily<CatmullRom>({
         .id = "catmull-rom",
         .name = "Catmull-Rom",
-        .summary =
-            "Passes through every point; close points get short intervals, so that it neither "
-            "loops nor overshoots.",
-        .source = "Catmull and Rom 1974 · Barry and Goldman 1988",
+        .summary = "Passes through every point; α gives close points short intervals, and at ½ no "
+                   "piece has a "
+                   "cusp or a loop.",
+        .source = "Catmull and Rom 1974 · Yuksel, Schaefer and Keyser 2011",
         .parameters = {{.key = "alpha",
                         .label = "Alpha",
                         .symbol = "α",
@@ -50,7 +50,7 @@ Family catmullRom() {
                         .sliderMost = 1,
                         .neutral = 0.5,
                         .scale = Scale::linear,
-                        .meaning = "0 is uniform, ½ centripetal (no cusps), 1 chordal"}},
+                        .meaning = "0 is uniform, ½ centripetal, 1 chordal"}},
         .ends = {Ends::doubled, Ends::open, Ends::reflected},
         .spacing = Spacing::chord,
         .layout = fourPointCubic,

@@ -47,7 +47,7 @@ Family kochanekBartels() {
         .parameters = {knob("tension", "Tension", "t",
                             "0 is Catmull-Rom; 1 turns tightly, −1 widely"),
                        knob("continuity", "Continuity", "c",
-                            "0 is smooth; toward −1 and 1 the corner sharpens inward and outward"),
+                            "0 is smooth; −1 gives the polygon's corner, 1 turns it inside out"),
                        knob("bias", "Bias", "b",
                             "0 is even; 1 overshoots the point, −1 turns before it")},
         .ends = {Ends::doubled, Ends::open, Ends::reflected},

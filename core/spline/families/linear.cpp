@@ -19,7 +19,7 @@ Family linear() {
         .id = "linear",
         .name = "Linear",
         .summary = "Straight lines from point to point: the control polygon itself.",
-        .source = "Smith 1983",
+        .source = "Euclid, Elements I",
         .ends = {Ends::none},
         .layout = [](std::span<const double>, std::size_t) { return Layout{1, 2, 1, 0}; },
     });

@@ -28,18 +28,19 @@ Family parametricParabola() {
         .summary =
             "Through three points; μ says when it reaches the middle one, and so which of many "
             "parabolas it is.",
-        .source = "lecture on spline curves, figure 2",
-        .parameters = {{.key = "mu",
-                        .label = "Middle point at",
-                        .symbol = "μ",
-                        .least = 1e-3,
-                        .most = 1 - 1e-3,
-                        .sliderLeast = 0.02,
-                        .sliderMost = 0.98,
-                        .neutral = 0.5,
-                        .scale = Scale::linear,
-                        .meaning =
-                            "½ shares the time evenly; (x₁ − x₀) / (x₂ − x₀) makes it y = f(x)"}},
+        .source = "Lecture 11, Introduction to Spline Curves",
+        .parameters =
+            {{.key = "mu",
+              .label = "Middle point at",
+              .symbol = "μ",
+              .least = 1e-3,
+              .most = 1 - 1e-3,
+              .sliderLeast = 0.02,
+              .sliderMost = 0.98,
+              .neutral = 0.5,
+              .scale = Scale::linear,
+              .meaning =
+                  "½ shares the time evenly; (x₁ − x₀) / (x₂ − x₀) makes three points y = f(x)"}},
         .ends = {Ends::none},
         .layout = [](std::span<const double>, std::size_t) { return Layout{2, 3, 2, 0}; },
     });
