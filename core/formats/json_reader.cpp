@@ -249,6 +249,9 @@ Result<JsonTape> read(std::string_view text, std::optional<std::string_view> kep
     if (const auto nul = text.find('\0'); nul != text.npos) {
         return Refusal{"", lineAndColumn(text, nul), "is a NUL byte", "text only"};
     }
+    if (text.empty()) { // the library words this in its own way, by version
+        return Refusal{"", "1:1", "unexpected end of input", "'[', '{', or a literal"};
+    }
     JsonTapeWriter writer(text, kept);
     nlohmann::json::sax_parse(text.begin(), text.end(), &writer);
     return std::move(writer).result();
