@@ -240,10 +240,6 @@ Document setClosed(const Document& document, std::size_t curve, bool closed) {
     });
 }
 
-Document renameCurve(const Document& document, std::size_t curve, std::string name) {
-    return changed(document, curve, [&](Curve& changing) { changing.name = std::move(name); });
-}
-
 Document addCurve(const Document& document, Curve curve) {
     Document next = document;
     next.curves.push_back(std::make_shared<Curve>(std::move(curve)));

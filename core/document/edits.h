@@ -48,7 +48,6 @@ Document setParameter(const Document& document, std::size_t curve, std::string_v
 Document setEnds(const Document& document, std::size_t curve, Ends ends);
 /// Closing a Bézier spline adds the two handles of its last piece, opening it takes them away.
 Document setClosed(const Document& document, std::size_t curve, bool closed);
-Document renameCurve(const Document& document, std::size_t curve, std::string name);
 Document addCurve(const Document& document, Curve curve);
 Document removeCurve(const Document& document, std::size_t curve);
 
