@@ -25,12 +25,6 @@ bool sameBlends(const Curve& a, const Curve& b) {
 }
 
 /// Value at u of the function with these Bernstein coefficients.
-double valueAt(std::vector<double> coefficients, double u) {
-    for (auto left = coefficients.size(); left > 1; --left) {
-        climb(std::span(coefficients).first(left), u);
-    }
-    return coefficients.front();
-}
 
 /// The controls that take part in a piece, in order.
 std::set<std::size_t> controlsIn(std::span<const Blend> bezier) {
@@ -50,6 +44,7 @@ BasisGraph graphOf(const BlendPieces& blends) {
         std::clamp<std::size_t>(720 / std::max<std::size_t>(blends.size(), 1), 6, 64);
     for (std::size_t i = 0; i < blends.size(); ++i) {
         const auto bezier = blends[i];
+        const auto weights = blends.weights(i);
         const auto present = controlsIn(bezier);
         for (auto run = open.begin(); run != open.end();) {
             if (present.contains(run->first)) {
@@ -61,14 +56,16 @@ BasisGraph graphOf(const BlendPieces& blends) {
         }
         for (const auto control : present) {
             std::vector<double> coefficients;
-            for (const auto& blend : bezier) {
-                coefficients.push_back(blend.weight(control));
+            for (std::size_t k = 0; k < bezier.size(); ++k) {
+                coefficients.push_back(bezier[k].weight(control) *
+                                       (weights.empty() ? 1 : weights[k]));
             }
             auto& run = open[control];
             run.control = control;
             for (std::size_t k = 0; k <= samples; ++k) {
                 const double u = static_cast<double>(k) / static_cast<double>(samples);
-                const double weight = valueAt(coefficients, u);
+                const double weight =
+                    valueAt(coefficients, u) / (weights.empty() ? 1 : valueAt(weights, u));
                 run.values.push_back({{i, u}, weight});
                 graph.low = std::min(graph.low, weight);
                 graph.high = std::max(graph.high, weight);

@@ -1,5 +1,6 @@
 #include "core/spline/bounds.h"
 
+#include "core/spline/bernstein.h"
 #include "core/spline/roots.h"
 
 #include <algorithm>
@@ -12,13 +13,24 @@ void include(Box& box, int coordinate, double value) {
     box.high[coordinate] = std::max(box.high[coordinate], value);
 }
 
-/// One coordinate of a piece's Bézier points.
-std::vector<double> column(const Piece& piece, int coordinate) {
-    std::vector<double> values;
+/// The coordinate of each Bézier point.
+std::vector<double> placesOf(const Piece& piece, int coordinate) {
+    std::vector<double> places;
     for (int i = 0; i <= piece.degree; ++i) {
-        values.push_back(piece.bezierPoint(i)[coordinate]);
+        places.push_back(piece.bezierPoint(i)[coordinate]);
     }
-    return values;
+    return places;
+}
+
+/// A polynomial that is zero where the coordinate stands still: its derivative, times the weight
+/// squared on a rational piece.
+Bernstein levelSpots(const Piece& piece, int coordinate) {
+    const Bernstein own = piece.column(coordinate);
+    if (piece.form == Form::polynomial) {
+        return derivative(own);
+    }
+    const Bernstein weight = piece.column(piece.dimension);
+    return sum(product(derivative(own), weight), product(own, derivative(weight)), -1);
 }
 
 } // namespace
@@ -29,9 +41,11 @@ std::optional<Box> hullBox(const Pieces& pieces) {
     }
     Box box{pieces[0].bezierPoint(0), pieces[0].bezierPoint(0)};
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const auto coordinates = pieces[i].coordinates;
-        for (std::size_t k = 0; k < coordinates.size(); ++k) {
-            include(box, static_cast<int>(k) % pieces.dimension(), coordinates[k]);
+        for (int k = 0; k <= pieces.degree(); ++k) {
+            const Point place = pieces[i].bezierPoint(k);
+            for (int c = 0; c < pieces.dimension(); ++c) {
+                include(box, c, place[c]);
+            }
         }
     }
     return box;
@@ -45,18 +59,14 @@ std::optional<Box> bounds(const Pieces& pieces) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const Piece piece = pieces[i];
         for (int c = 0; c < piece.dimension; ++c) {
-            const auto values = column(piece, c);
+            const auto values = placesOf(piece, c);
             include(box, c, values.front());
             include(box, c, values.back());
             const auto [least, most] = std::ranges::minmax(values);
             if (least >= box.low[c] && most <= box.high[c]) {
                 continue; // the hull is inside already, and so is the piece
             }
-            std::vector<double> steps;
-            for (std::size_t k = 0; k + 1 < values.size(); ++k) {
-                steps.push_back(values[k + 1] - values[k]);
-            }
-            for (const double u : rootsOf(steps)) {
+            for (const double u : rootsOf(levelSpots(piece, c))) {
                 include(box, c, piece.position(u)[c]);
             }
         }

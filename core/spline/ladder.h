@@ -4,6 +4,7 @@
 
 #include "core/spline/blend.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -27,6 +28,15 @@ template <Blendable T> class Ladder {
             climb(std::span(rungs), u);
             rungs.pop_back();
         }
+    }
+
+    /// The same levels, each point replaced by what `map` makes of it.
+    template <class Map> Ladder mapped(Map map) const {
+        Ladder result = *this;
+        for (auto& level : result.levels_) {
+            std::ranges::transform(level, level.begin(), map);
+        }
+        return result;
     }
 
     /// The degree of the curve: one less than the number of levels.

@@ -1,5 +1,7 @@
 #include "core/spline/length.h"
 
+#include "core/spline/hodograph.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,30 +33,31 @@ constexpr double converged = 1e-14;
 class Speed {
   public:
     explicit Speed(const Piece& piece)
-        : hodograph_(piece.hodograph()), dimension_(static_cast<std::size_t>(piece.dimension)) {
-        for (const double x : hodograph_) {
-            largest_ = std::max(largest_, std::abs(x));
+        : hodograph_(hodograph(piece)), dimension_(static_cast<std::size_t>(piece.dimension)),
+          width_(static_cast<std::size_t>(piece.width())) {
+        coordinates_.assign(hodograph_.bezier().begin(), hodograph_.bezier().end());
+        for (std::size_t i = 0; i < coordinates_.size(); ++i) {
+            largest_ =
+                i % width_ < dimension_ ? std::max(largest_, std::abs(coordinates_[i])) : largest_;
         }
-        if (largest_ > 0) {
-            for (double& x : hodograph_) {
-                x /= largest_;
-            }
+        for (std::size_t i = 0; i < coordinates_.size() && largest_ > 0; ++i) {
+            coordinates_[i] /= i % width_ < dimension_ ? largest_ : 1;
         }
-        rungs_.resize(hodograph_.size());
+        rungs_.resize(coordinates_.size());
     }
 
     double at(double u) {
-        std::ranges::copy(hodograph_, rungs_.begin());
-        for (auto left = rungs_.size(); left > dimension_; left -= dimension_) {
-            for (std::size_t i = 0; i + dimension_ < left; ++i) {
-                rungs_[i] = lerp(rungs_[i], rungs_[i + dimension_], u);
+        std::ranges::copy(coordinates_, rungs_.begin());
+        for (auto left = rungs_.size(); left > width_; left -= width_) {
+            for (std::size_t i = 0; i + width_ < left; ++i) {
+                rungs_[i] = lerp(rungs_[i], rungs_[i + width_], u);
             }
         }
         double sum = 0;
         for (std::size_t c = 0; c < dimension_; ++c) {
             sum += rungs_[c] * rungs_[c];
         }
-        return largest_ * std::sqrt(sum);
+        return largest_ * std::sqrt(sum) / (width_ > dimension_ ? rungs_[dimension_] : 1);
     }
 
     /// Length from u = start to u = end, by one panel.
@@ -68,20 +71,22 @@ class Speed {
         return half * sum;
     }
 
-    /// An upper bound of the piece's length: that of its Bézier polygon.
+    /// A size of the piece to compare errors with: its length if its speed were the mean of that of
+    /// the hodograph's Bézier points.
     double bound() const {
+        const Piece piece = hodograph_[0];
         double sum = 0;
-        for (std::size_t i = 0; i < hodograph_.size(); i += dimension_) {
-            sum += norm(Point(std::span(hodograph_).subspan(i, dimension_)));
+        for (int i = 0; i <= piece.degree; ++i) {
+            sum += norm(piece.bezierPoint(i));
         }
-        const auto legs = hodograph_.size() / dimension_;
-        return legs > 0 ? largest_ * sum / static_cast<double>(legs) : 0;
+        return sum / (piece.degree + 1);
     }
 
   private:
-    std::vector<double> hodograph_;
+    Pieces hodograph_;
+    std::vector<double> coordinates_; // of the hodograph, divided by the largest
     std::vector<double> rungs_;
-    std::size_t dimension_;
+    std::size_t dimension_, width_;
     double largest_ = 0;
 };
 

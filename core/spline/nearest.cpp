@@ -1,6 +1,9 @@
 #include "core/spline/nearest.h"
 
+#include "core/spline/bernstein.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -14,7 +17,7 @@ double distanceToHull(const Piece& piece, const Point& place) {
         double low = std::numeric_limits<double>::infinity();
         double high = -low;
         for (int i = 0; i <= piece.degree; ++i) {
-            const double x = piece.coordinates[static_cast<std::size_t>(i * piece.dimension + c)];
+            const double x = piece.bezierPoint(i)[c];
             low = std::min(low, x);
             high = std::max(high, x);
         }
@@ -23,43 +26,44 @@ double distanceToHull(const Piece& piece, const Point& place) {
     return norm(outside);
 }
 
-/// Bernstein coefficients of the pull: half the derivative by u of the squared distance, which is
-/// zero where the way to the place is square to the curve. A polynomial of degree 2 degree - 1;
-/// here divided by the sizes of its two factors, so that it neither overflows nor vanishes.
-std::vector<double> pullOf(const Piece& piece, const Point& place) {
-    const int d = piece.degree;
-    std::vector<Point> ways, steps;
+/// Bernstein coefficients of the pull: half the derivative by u of the squared distance (times the
+/// cube of the weight on a rational piece), which is zero where the way to the place is square to
+/// the curve. Here divided by the sizes of its factors, so that it neither overflows nor vanishes.
+Bernstein pullOf(const Piece& piece, const Point& place) {
+    const bool rational = piece.form == Form::rational;
+    std::vector<Bernstein> ways, steps; // one a coordinate: to the curve, and along it
+    const Bernstein weight = rational ? piece.column(piece.dimension) : Bernstein{1};
     double farthest = 0, longest = 0;
-    for (int i = 0; i <= d; ++i) {
-        ways.push_back(piece.bezierPoint(i) - place);
-        farthest = std::max(farthest, norm(ways.back()));
+    for (int c = 0; c < piece.dimension; ++c) {
+        Bernstein way = piece.column(c);
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            way[i] -= (rational ? weight[i] : 1) * place[c];
+            farthest = std::max(farthest, std::abs(way[i]));
+        }
+        ways.push_back(std::move(way));
     }
-    for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
-        steps.push_back(ways[i + 1] - ways[i]);
-        longest = std::max(longest, norm(steps.back()));
-    }
-    std::vector<double> pull(static_cast<std::size_t>(2 * d), 0.0);
-    if (farthest < std::numeric_limits<double>::min() ||
-        longest < std::numeric_limits<double>::min()) {
-        return pull;
+    if (!(farthest >= std::numeric_limits<double>::min())) {
+        return {0};
     }
     for (auto& way : ways) {
-        way *= 1 / farthest;
-    }
-    for (auto& step : steps) {
-        step *= 1 / longest;
-    }
-    // The product of Bernstein polynomials number i and j is number i + j of the sum of the
-    // degrees, times binomial(d, i) binomial(d - 1, j) / binomial(2d - 1, i + j).
-    double first = 1; // the factor for j = 0
-    for (int i = 0; i <= d; ++i) {
-        double factor = first;
-        for (int j = 0; j < d; ++j) {
-            pull[static_cast<std::size_t>(i + j)] +=
-                factor * dot(ways[static_cast<std::size_t>(i)], steps[static_cast<std::size_t>(j)]);
-            factor *= static_cast<double>(d - 1 - j) / (j + 1) * (i + j + 1) / (2 * d - 1 - i - j);
+        std::ranges::transform(way, way.begin(), [&](double x) { return x / farthest; });
+        Bernstein step = derivative(way);
+        if (rational) {
+            step = sum(product(step, weight), product(way, derivative(weight)), -1);
         }
-        first *= static_cast<double>(d - i) / (2 * d - 1 - i);
+        for (const double x : step) {
+            longest = std::max(longest, std::abs(x));
+        }
+        steps.push_back(std::move(step));
+    }
+    if (!(longest >= std::numeric_limits<double>::min())) {
+        return {0};
+    }
+    Bernstein pull;
+    for (std::size_t c = 0; c < ways.size(); ++c) {
+        std::ranges::transform(steps[c], steps[c].begin(), [&](double x) { return x / longest; });
+        const Bernstein share = product(ways[c], steps[c]);
+        pull = c == 0 ? share : sum(pull, share);
     }
     return pull;
 }

@@ -23,6 +23,33 @@ std::optional<double> curvatureOf(const Point& first, const Point& second) {
     return std::isfinite(curvature) ? std::optional(curvature) : std::nullopt;
 }
 
+/// From homogeneous coordinates to the place: all but the last, divided by the last.
+Point projected(const Point& homogeneous) {
+    const int dimension = homogeneous.dimension() - 1;
+    const Point place(homogeneous.coordinates().first(static_cast<std::size_t>(dimension)));
+    return (1 / homogeneous[dimension]) * place;
+}
+
+/// The first coordinates of a homogeneous point, without the weight.
+Point numerators(const Point& homogeneous) {
+    return Point(
+        homogeneous.coordinates().first(static_cast<std::size_t>(homogeneous.dimension() - 1)));
+}
+
+/// The quotient rule, twice: from A = w P follow A' = w' P + w P' and
+/// A'' = w'' P + 2 w' P' + w P''.
+Jet projected(const Jet& homogeneous) {
+    const int last = homogeneous.position.dimension() - 1;
+    const double over = 1 / homogeneous.position[last];
+    const double w1 = homogeneous.first[last];
+    const double w2 = homogeneous.second[last];
+    Jet jet;
+    jet.position = over * numerators(homogeneous.position);
+    jet.first = over * (numerators(homogeneous.first) - w1 * jet.position);
+    jet.second = over * (numerators(homogeneous.second) - 2 * w1 * jet.first - w2 * jet.position);
+    return jet;
+}
+
 } // namespace
 
 Spot KnotLine::locate(double t) const {
@@ -50,16 +77,33 @@ double KnotLine::parameter(Spot spot) const {
 }
 
 Point Piece::bezierPoint(int index) const {
-    const auto width = static_cast<std::size_t>(dimension);
-    return Point(coordinates.subspan(static_cast<std::size_t>(index) * width, width));
+    const auto stride = static_cast<std::size_t>(width());
+    const Point own(coordinates.subspan(static_cast<std::size_t>(index) * stride, stride));
+    return form == Form::rational ? projected(own) : own;
+}
+
+double Piece::weight(int index) const {
+    return form == Form::rational ? coordinates[static_cast<std::size_t>((index + 1) * width() - 1)]
+                                  : 1;
+}
+
+std::vector<double> Piece::column(int coordinate) const {
+    std::vector<double> values;
+    for (int i = 0; i <= degree; ++i) {
+        values.push_back(coordinates[static_cast<std::size_t>(i * width() + coordinate)]);
+    }
+    return values;
 }
 
 Ladder<Point> Piece::ladder(double u) const {
     std::vector<Point> points;
-    for (int i = 0; i <= degree; ++i) {
-        points.push_back(bezierPoint(i));
+    const auto stride = static_cast<std::size_t>(width());
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i) {
+        points.emplace_back(coordinates.subspan(i * stride, stride));
     }
-    return Ladder<Point>(points, u);
+    const Ladder<Point> ladder(points, u);
+    return form == Form::rational ? ladder.mapped([](const Point& p) { return projected(p); })
+                                  : ladder;
 }
 
 Point Piece::position(double u) const {
@@ -67,17 +111,17 @@ Point Piece::position(double u) const {
 }
 
 Jet Piece::jet(double u) const {
-    Jet jet{Point(dimension), Point(dimension), Point(dimension), std::nullopt};
-    const auto width = static_cast<std::size_t>(dimension);
+    const auto stride = static_cast<std::size_t>(width());
+    Jet jet{Point(width()), Point(width()), Point(width()), std::nullopt};
     const auto count = static_cast<std::size_t>(degree) + 1;
     const double d = degree;
     // Most curves are of low degree: their rungs need no allocation.
     std::array<double, 32> few{};
     std::vector<double> many(count > few.size() ? count : 0);
     const auto rungs = many.empty() ? std::span(few).first(count) : std::span(many);
-    for (int c = 0; c < dimension; ++c) {
+    for (int c = 0; c < width(); ++c) {
         for (std::size_t i = 0; i < count; ++i) {
-            rungs[i] = coordinates[i * width + static_cast<std::size_t>(c)];
+            rungs[i] = coordinates[i * stride + static_cast<std::size_t>(c)];
         }
         for (std::size_t left = count; left > 1; --left) {
             if (left == 3) {
@@ -90,26 +134,22 @@ Jet Piece::jet(double u) const {
         }
         jet.position[c] = rungs[0];
     }
+    if (form == Form::rational) {
+        jet = projected(jet);
+    }
     jet.curvature = curvatureOf(jet.first, jet.second);
     return jet;
 }
 
-std::vector<double> Piece::hodograph() const {
-    const auto width = static_cast<std::size_t>(dimension);
-    std::vector<double> derivative;
-    for (std::size_t i = width; i < coordinates.size(); ++i) {
-        derivative.push_back(degree * (coordinates[i] - coordinates[i - width]));
-    }
-    return derivative;
-}
-
-Pieces::Pieces(int degree, int dimension, KnotLine knots, std::vector<double> bezier)
-    : degree_(degree), dimension_(dimension), knots_(std::move(knots)), bezier_(std::move(bezier)) {
-}
+Pieces::Pieces(int degree, int dimension, KnotLine knots, std::vector<double> bezier, Form form)
+    : degree_(degree), dimension_(dimension), form_(form), knots_(std::move(knots)),
+      bezier_(std::move(bezier)) {}
 
 Piece Pieces::operator[](std::size_t segment) const {
-    const auto length = static_cast<std::size_t>((degree_ + 1) * dimension_);
-    return {std::span(bezier_).subspan(segment * length, length), degree_, dimension_};
+    Piece piece{{}, degree_, dimension_, form_};
+    const auto length = static_cast<std::size_t>((degree_ + 1) * piece.width());
+    piece.coordinates = std::span(bezier_).subspan(segment * length, length);
+    return piece;
 }
 
 Jet Pieces::jetByParameter(Spot spot) const {
@@ -124,22 +164,39 @@ Jet Pieces::jetByParameter(Spot spot) const {
 }
 
 BlendPieces::BlendPieces(int degree, std::size_t controlPoints, KnotLine knots,
-                         std::vector<Blend> bezier)
+                         std::vector<Blend> bezier, Form form)
     : degree_(degree), controlPoints_(controlPoints), knots_(std::move(knots)),
-      bezier_(std::move(bezier)) {}
+      bezier_(std::move(bezier)) {
+    for (std::size_t i = 0; form == Form::rational && i < bezier_.size(); ++i) {
+        const double weight = bezier_[i].sumBelow(controlPoints_);
+        weights_.push_back(weight);
+        bezier_[i] = (1 / weight) * bezier_[i];
+    }
+}
 
 std::span<const Blend> BlendPieces::operator[](std::size_t segment) const {
     const auto count = static_cast<std::size_t>(degree_) + 1;
     return std::span(bezier_).subspan(segment * count, count);
 }
 
+std::span<const double> BlendPieces::weights(std::size_t segment) const {
+    const auto count = static_cast<std::size_t>(degree_) + 1;
+    return weights_.empty() ? std::span<const double>()
+                            : std::span(weights_).subspan(segment * count, count);
+}
+
 Blend BlendPieces::basis(Spot spot) const {
     const auto bezier = (*this)[spot.segment];
+    const auto weights = this->weights(spot.segment);
     std::vector<Blend> rungs(bezier.begin(), bezier.end());
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+        rungs[k] = weights[k] * rungs[k];
+    }
     for (std::size_t left = rungs.size(); left > 1; --left) {
         climb(std::span(rungs).first(left), spot.u);
     }
-    return rungs.front();
+    const Blend& tip = rungs.front();
+    return weights.empty() ? tip : (1 / tip.sumBelow(controlPoints_)) * tip;
 }
 
 } // namespace splineloft

@@ -53,34 +53,52 @@ struct Jet {
     std::optional<double> curvature;
 };
 
-/// A piece as seen through its Bézier points (degree + 1 of them).
-struct Piece {
-    std::span<const double> coordinates; ///< point after point
-    int degree = 0;
-    int dimension = 0;
+/// What Bézier points are made of.
+enum class Form {
+    polynomial, ///< coordinates
+    rational    ///< homogeneous coordinates: each times the point's weight, and the weight itself
+};
 
+/// A piece as seen through its Bézier points (degree + 1 of them). A rational piece is the
+/// projection of a polynomial one with one coordinate more; all its weights are above zero.
+struct Piece {
+    std::span<const double> coordinates; ///< point after point, `width` numbers each
+    int degree = 0;
+    int dimension = 0; ///< of the space
+    Form form = Form::polynomial;
+
+    /// Numbers that a Bézier point takes in `coordinates`.
+    int width() const { return dimension + (form == Form::rational ? 1 : 0); }
+    /// The place of a Bézier point.
     Point bezierPoint(int index) const;
-    /// de Casteljau's construction at u.
+    /// Its weight; 1 on a polynomial piece.
+    double weight(int index) const;
+    /// One of the `width` numbers of every Bézier point: Bernstein coefficients.
+    std::vector<double> column(int coordinate) const;
+    /// de Casteljau's construction at u. On a rational piece its points are the projections, which
+    /// lie on the legs as well, though no longer u of the way along (Farin 1983).
     Ladder<Point> ladder(double u) const;
     Point position(double u) const;
     /// Derivatives are by u.
     Jet jet(double u) const;
-    /// The derivative by u, itself a Bézier piece: its points are degree * (P[i+1] - P[i]).
-    std::vector<double> hodograph() const;
 };
 
 /// All pieces of a curve, of one degree, in one block of memory.
 class Pieces {
   public:
     Pieces() = default;
-    /// `bezier` holds pieces x (degree + 1) x dimension coordinates.
-    Pieces(int degree, int dimension, KnotLine knots, std::vector<double> bezier);
+    /// `bezier` holds pieces x (degree + 1) x width numbers, as `Piece::coordinates`.
+    Pieces(int degree, int dimension, KnotLine knots, std::vector<double> bezier,
+           Form form = Form::polynomial);
 
     std::size_t size() const { return knots_.pieces(); }
     bool empty() const { return size() == 0; }
     int degree() const { return degree_; }
     int dimension() const { return dimension_; }
+    Form form() const { return form_; }
     const KnotLine& knots() const { return knots_; }
+    /// The Bézier points of all pieces, piece after piece.
+    std::span<const double> bezier() const { return bezier_; }
 
     Piece operator[](std::size_t segment) const;
     Point position(Spot spot) const { return (*this)[spot.segment].position(spot.u); }
@@ -92,6 +110,7 @@ class Pieces {
   private:
     int degree_ = 0;
     int dimension_ = 0;
+    Form form_ = Form::polynomial;
     KnotLine knots_;
     std::vector<double> bezier_;
 };
@@ -101,16 +120,20 @@ class BlendPieces {
   public:
     BlendPieces() = default;
     /// `bezier` holds pieces x (degree + 1) blends; `controlPoints` is the number of control
-    /// points.
-    BlendPieces(int degree, std::size_t controlPoints, KnotLine knots, std::vector<Blend> bezier);
+    /// points. In rational form a blend comes times its weight, which is the sum of its shares.
+    BlendPieces(int degree, std::size_t controlPoints, KnotLine knots, std::vector<Blend> bezier,
+                Form form = Form::polynomial);
 
     std::size_t size() const { return knots_.pieces(); }
     int degree() const { return degree_; }
     std::size_t controlPoints() const { return controlPoints_; }
     const KnotLine& knots() const { return knots_; }
 
-    /// The degree + 1 blends of one piece.
+    /// The degree + 1 blends of one piece. In rational form they are the places of the Bézier
+    /// points, not times the weights.
     std::span<const Blend> operator[](std::size_t segment) const;
+    /// The weights of the Bézier points of one piece; none in polynomial form.
+    std::span<const double> weights(std::size_t segment) const;
     /// The basis functions at a spot, as the blend of controls that is the point of the curve.
     Blend basis(Spot spot) const;
 
@@ -119,6 +142,7 @@ class BlendPieces {
     std::size_t controlPoints_ = 0;
     KnotLine knots_;
     std::vector<Blend> bezier_;
+    std::vector<double> weights_; // one a blend; none in polynomial form
 };
 
 } // namespace splineloft

@@ -12,7 +12,7 @@ Point::Point(std::initializer_list<double> coordinates)
 Point::Point(std::span<const double> coordinates)
     : dimension_(static_cast<int>(coordinates.size())) {
     if (coordinates.size() > values_.size()) {
-        throw std::invalid_argument("a point has at most 16 coordinates");
+        throw std::invalid_argument("a point has at most 16 coordinates and a weight");
     }
     std::copy(coordinates.begin(), coordinates.end(), values_.begin());
 }

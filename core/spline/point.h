@@ -12,7 +12,8 @@ namespace splineloft {
 /// Most coordinates a point may have (position, orientation and ten more).
 inline constexpr int maxDimension = 16;
 
-/// A place or a displacement: 1 to 16 coordinates, held in place without allocation.
+/// A place or a displacement: 1 to 16 coordinates, held in place without allocation. (A rational
+/// place has its weight as one more.)
 class Point {
   public:
     Point() = default;
@@ -36,7 +37,7 @@ class Point {
     Point& operator*=(double factor);
 
   private:
-    std::array<double, maxDimension> values_{};
+    std::array<double, maxDimension + 1> values_{}; // one more for the weight of rational points
     int dimension_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "core/spline/roots.h"
 
+#include "core/spline/bernstein.h"
 #include "core/spline/ladder.h"
 
 #include <algorithm>
@@ -11,13 +12,6 @@ namespace {
 
 // Halvings in a row: a double has no more bits to tell zeros apart.
 constexpr int deepest = 54;
-
-double valueAt(std::vector<double> coefficients, double u) {
-    for (auto left = coefficients.size(); left > 1; --left) {
-        climb(std::span(coefficients).first(left), u);
-    }
-    return coefficients.front();
-}
 
 /// One search in one polynomial.
 class Search {

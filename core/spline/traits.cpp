@@ -42,13 +42,10 @@ std::optional<std::size_t> onlyControl(const Blend& blend, std::size_t controlPo
 
 /// Whether a basis function dips below zero on a piece although it has a negative Bernstein
 /// coefficient only there: 64 values decide.
-bool dipsBelowZero(std::span<const Blend> bezier) {
+bool dipsBelowZero(const BlendPieces& blends, std::size_t segment) {
     for (int k = 1; k < 64; ++k) {
-        std::vector<Blend> rungs(bezier.begin(), bezier.end());
-        for (std::size_t left = rungs.size(); left > 1; --left) {
-            climb(std::span(rungs).first(left), k / 64.0);
-        }
-        for (const auto& share : rungs.front().shares()) {
+        const Blend basis = blends.basis({segment, k / 64.0});
+        for (const auto& share : basis.shares()) {
             if (share.weight < -weightTolerance) {
                 return true;
             }
@@ -104,7 +101,7 @@ Traits traitsOf(const Curve& curve, const Pieces& pieces, const BlendPieces& ble
                 traits.affine && std::abs(blend.sumBelow(n) - 1) <= affineTolerance * sizeOf(blend);
         }
         if (traits.inHull && hasNegative(bezier)) {
-            traits.inHull = !dipsBelowZero(bezier);
+            traits.inHull = !dipsBelowZero(blends, i);
         }
     }
     // Tangents are displacements, not points: with them no hull of points holds the curve.

@@ -18,11 +18,13 @@ TEST(Point, addsAndScalesCoordinateByCoordinate) {
     EXPECT_EQ(dot(a, b), 10 - 40 + 90);
 }
 
-TEST(Point, holdsUpToSixteenCoordinates) {
+TEST(Point, holdsUpToSixteenCoordinatesAndAWeight) {
     EXPECT_EQ(Point(16).dimension(), 16);
     const std::vector<double> sixteen(16, 2.0);
     EXPECT_EQ(norm(Point(sixteen)), 8);
-    const std::vector<double> tooMany(17, 2.0);
+    const std::vector<double> withWeight(17, 2.0);
+    EXPECT_EQ(Point(withWeight).dimension(), 17);
+    const std::vector<double> tooMany(18, 2.0);
     EXPECT_THROW(Point{std::span(tooMany)}, std::invalid_argument);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/canvas/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace splineloft::ui {
@@ -10,10 +11,19 @@ constexpr double flatness = 0.1; // pixels
 constexpr int deepest = 18;      // halvings of one piece
 constexpr double overhang = 40;  // pixels around the frame in which lines may still be seen
 
-using Hull = std::vector<ScreenPoint>;
+/// A Bézier point on the screen, homogeneous: both coordinates times its weight, which is 1 on
+/// polynomial pieces.
+struct Corner {
+    double x, y, weight;
+    ScreenPoint place() const { return {x / weight, y / weight}; }
+};
+
+using Hull = std::vector<Corner>;
 
 bool isOutside(const Hull& hull, const ScreenRect& frame) {
-    const auto all = [&](auto test) { return std::ranges::all_of(hull, test); };
+    const auto all = [&](auto test) {
+        return std::ranges::all_of(hull, [&](const Corner& c) { return test(c.place()); });
+    };
     return all([&](ScreenPoint p) { return p.x < frame.left - overhang; }) ||
            all([&](ScreenPoint p) { return p.x > frame.right() + overhang; }) ||
            all([&](ScreenPoint p) { return p.y < frame.top - overhang; }) ||
@@ -22,12 +32,20 @@ bool isOutside(const Hull& hull, const ScreenRect& frame) {
 
 /// Whether the inner Bézier points are so near to their places on an evenly run line that the curve
 /// is within the tolerance of the line.
+/// (On rational pieces that is so as far as the weights are even, and cutting evens them quickly.)
 bool isFlat(const Hull& hull) {
     const auto n = hull.size() - 1;
     const double bound = static_cast<double>(n * (n - 1)) / 8;
     for (std::size_t i = 0; i + 2 < hull.size(); ++i) {
-        const double bendX = hull[i].x - 2 * hull[i + 1].x + hull[i + 2].x;
-        const double bendY = hull[i].y - 2 * hull[i + 1].y + hull[i + 2].y;
+        const auto [a, b, c] =
+            std::array{hull[i].place(), hull[i + 1].place(), hull[i + 2].place()};
+        const double bendX = a.x - 2 * b.x + c.x;
+        const double bendY = a.y - 2 * b.y + c.y;
+        const double uneven = std::max(hull[i].weight, hull[i + 1].weight) /
+                              std::min(hull[i].weight, hull[i + 1].weight);
+        if (uneven > 2 && std::hypot(c.x - a.x, c.y - a.y) > 1) {
+            return false;
+        }
         if (!(bound * std::hypot(bendX, bendY) <= flatness)) {
             return false;
         }
@@ -38,7 +56,7 @@ bool isFlat(const Hull& hull) {
 /// Adds everything after the first point of the hull's curve.
 void add(std::vector<ScreenPoint>& line, Hull hull, const ScreenRect& frame, int depth) {
     if (depth == deepest || isFlat(hull) || isOutside(hull, frame)) {
-        line.push_back(hull.back());
+        line.push_back(hull.back().place());
         return;
     }
     // The sides of de Casteljau's ladder at one half are the hulls of the two halves.
@@ -48,7 +66,8 @@ void add(std::vector<ScreenPoint>& line, Hull hull, const ScreenRect& frame, int
         left.push_back(hull.front());
         right[count - 1] = hull[count - 1];
         for (std::size_t i = 0; i + 1 < count; ++i) {
-            hull[i] = {0.5 * (hull[i].x + hull[i + 1].x), 0.5 * (hull[i].y + hull[i + 1].y)};
+            hull[i] = {0.5 * (hull[i].x + hull[i + 1].x), 0.5 * (hull[i].y + hull[i + 1].y),
+                       0.5 * (hull[i].weight + hull[i + 1].weight)};
         }
     }
     add(line, std::move(left), frame, depth + 1);
@@ -64,10 +83,12 @@ std::vector<ScreenPoint> outline(const Pieces& plane, const Viewport& viewport) 
         Hull hull;
         for (int k = 0; k <= piece.degree; ++k) {
             const Point p = piece.bezierPoint(k);
-            hull.push_back(viewport.toScreen({p[0], p[1]}));
+            const ScreenPoint place = viewport.toScreen({p[0], p[1]});
+            const double weight = piece.weight(k);
+            hull.push_back({weight * place.x, weight * place.y, weight});
         }
         if (i == 0) {
-            line.push_back(hull.front());
+            line.push_back(hull.front().place());
         }
         add(line, std::move(hull), viewport.frame, 0);
     }

@@ -1,8 +1,10 @@
 #include "ui/canvas/viewport.h"
 
 #include "core/document/edits.h"
+#include "core/spline/bernstein.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -16,6 +18,47 @@ constexpr double mostPixelsPerUnit = 1e12;
 /// The coordinate shown along one axis; the last one where the curve has fewer.
 int shown(int axis, int dimension) {
     return std::min(axis, dimension - 1);
+}
+
+/// A curve of one coordinate over its parameter. t times the weight has one degree more than the
+/// weight, so that all of it is raised by one on rational pieces.
+Pieces graph(const Pieces& pieces) {
+    const bool rational = pieces.form() == Form::rational;
+    const int degree = std::max(pieces.degree(), 1) + (rational ? 1 : 0);
+    const auto knots = pieces.knots().knots();
+    std::vector<double> plane;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Bernstein up = elevated(pieces[i].column(0), degree);
+        const Bernstein weight = rational ? pieces[i].column(1) : Bernstein{1};
+        const Bernstein over =
+            elevated(product(weight, std::array{knots[i], knots[i + 1]}), degree);
+        const Bernstein last = elevated(weight, degree);
+        for (std::size_t k = 0; k < up.size(); ++k) {
+            plane.insert(plane.end(), {over[k], up[k]});
+            if (rational) {
+                plane.push_back(last[k]);
+            }
+        }
+    }
+    return {degree, 2, pieces.knots(), std::move(plane), pieces.form()};
+}
+
+/// Two of several coordinates.
+Pieces projection(const Pieces& pieces, const Axes& axes) {
+    const int dimension = pieces.dimension();
+    std::vector<double> plane;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Piece piece = pieces[i];
+        for (int k = 0; k <= piece.degree; ++k) {
+            const auto row = piece.coordinates.subspan(static_cast<std::size_t>(k * piece.width()));
+            plane.push_back(row[static_cast<std::size_t>(shown(axes.across, dimension))]);
+            plane.push_back(row[static_cast<std::size_t>(shown(axes.up, dimension))]);
+            if (piece.form == Form::rational) {
+                plane.push_back(row[static_cast<std::size_t>(dimension)]);
+            }
+        }
+    }
+    return {pieces.degree(), 2, pieces.knots(), std::move(plane), pieces.form()};
 }
 
 } // namespace
@@ -81,19 +124,7 @@ Pieces flattened(const Pieces& pieces, const Axes& axes) {
     if (dimension == 2 && axes == Axes{}) {
         return pieces;
     }
-    const auto knots = pieces.knots().knots();
-    std::vector<double> plane;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const Piece piece = pieces[i];
-        for (int k = 0; k <= piece.degree; ++k) {
-            const Point p = piece.bezierPoint(k);
-            const double part = piece.degree > 0 ? static_cast<double>(k) / piece.degree : 0;
-            plane.push_back(dimension == 1 ? lerp(knots[i], knots[i + 1], part)
-                                           : p[shown(axes.across, dimension)]);
-            plane.push_back(p[shown(axes.up, dimension)]);
-        }
-    }
-    return {pieces.degree(), 2, pieces.knots(), std::move(plane)};
+    return dimension == 1 ? graph(pieces) : projection(pieces, axes);
 }
 
 std::vector<PlanePoint> controlPlaces(const Curve& curve, const Axes& axes) {

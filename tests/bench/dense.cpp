@@ -1,0 +1,73 @@
+// Many samples of a uniform cubic: what drawing and exporting come down to.
+#include "tests/bench/ours.h"
+#include "tests/bench/reference.h"
+#include "tests/bench/rows.h"
+#include "tests/bench/works.h"
+
+namespace splineloft::bench {
+namespace {
+
+/// So many that the samples fit a second-level cache.
+constexpr std::size_t piecesInCache = 64;
+
+UniformCubic makeUniformCubic(int dimension) {
+    const auto d = static_cast<std::size_t>(dimension);
+    UniformCubic work{.dimension = dimension, .pieces = piecesInCache};
+    work.points = Dice(1).coarse((work.pieces + 3) * d, -4, 4);
+    work.bezier = bezierOfCatmullRom(work.points, dimension);
+    for (std::size_t piece = 0; piece < work.pieces; ++piece) {
+        for (std::size_t k = 0; k < work.perPiece; ++k) {
+            const auto u = static_cast<long double>(k) / static_cast<long double>(work.perPiece);
+            for (std::size_t c = 0; c < d; ++c) {
+                work.positions.push_back(catmullRom(&work.points[piece * d + c], d, u).value);
+            }
+        }
+    }
+    return work;
+}
+
+template <class Number> Trial ourDense(const UniformCubic& work) {
+    const auto pieces = ours::catmullRom(work.points, work.dimension);
+    const auto more = ours::positionsSize(pieces, work.perPiece) - work.positions.size();
+    return filling<Number>(
+        work.positions,
+        [pieces, &work](std::span<Number> out) { ours::positions(pieces, work.perPiece, out); },
+        more);
+}
+
+} // namespace
+
+const UniformCubic& uniformCubic(int dimension) {
+    static const auto plane = makeUniformCubic(2);
+    static const auto space = makeUniformCubic(3);
+    return dimension == 2 ? plane : space;
+}
+
+void addDense(Contest& contest) {
+    const auto& work = uniformCubic(2);
+    const auto samples = work.pieces * work.perPiece;
+    contest.rows.push_back({.id = "dense-2f",
+                            .work = "uniform cubic, 256 a piece, 2-D float",
+                            .items = samples,
+                            .peers = {"glm"},
+                            .goals = {TimesAsFastAs{"glm", 10}}});
+    contest.rows.push_back({.id = "dense-2d",
+                            .work = "same, 2-D double",
+                            .items = samples,
+                            .peers = {"glm"},
+                            .goals = {TimesAsFastAs{"kurbo", 3}, TimesAsFastAs{"glm", 8}},
+                            .kurbo = 1.3});
+    contest.rows.push_back({.id = "dense-3d",
+                            .work = "same, 3-D double",
+                            .items = samples,
+                            .peers = {"glm", "Boost"},
+                            .goals = {TimesAsFastAs{"glm", 6}}});
+    contest.entries.push_back(
+        {"dense-2f", ourName, [] { return ourDense<float>(uniformCubic(2)); }});
+    contest.entries.push_back(
+        {"dense-2d", ourName, [] { return ourDense<double>(uniformCubic(2)); }});
+    contest.entries.push_back(
+        {"dense-3d", ourName, [] { return ourDense<double>(uniformCubic(3)); }});
+}
+
+} // namespace splineloft::bench

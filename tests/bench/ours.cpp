@@ -1,0 +1,139 @@
+#include "tests/bench/ours.h"
+
+#include "core/spline/curve.h"
+#include "core/spline/length.h"
+#include "core/spline/nearest.h"
+#include "core/spline/sample.h"
+
+#include <memory>
+
+namespace splineloft::bench::ours {
+namespace {
+
+Curve curveOf(std::span<const double> points, int dimension, const char* family, Ends ends) {
+    Curve curve;
+    curve.family = family;
+    curve.ends = ends;
+    curve.coordinates = {"x", "y", "z"};
+    curve.coordinates.resize(static_cast<std::size_t>(dimension));
+    curve.points = Points(dimension);
+    const auto stride = static_cast<std::size_t>(dimension);
+    curve.points.reserve(points.size() / stride);
+    for (std::size_t i = 0; i < points.size(); i += stride) {
+        curve.points.append(Point(points.subspan(i, stride)));
+    }
+    return curve;
+}
+
+template <class Number>
+void writePositions(const Pieces& pieces, std::size_t perPiece, std::span<Number> out) {
+    auto* next = out.data();
+    for (std::size_t segment = 0; segment < pieces.size(); ++segment) {
+        for (std::size_t k = 0; k < perPiece; ++k) {
+            const double u = static_cast<double>(k) / static_cast<double>(perPiece);
+            const auto position = pieces.position({segment, u});
+            for (int c = 0; c < pieces.dimension(); ++c) {
+                *next++ = static_cast<Number>(position[c]);
+            }
+        }
+    }
+}
+
+} // namespace
+
+Pieces catmullRom(std::span<const double> points, int dimension) {
+    return piecesOf(curveOf(points, dimension, "cardinal", Ends::open));
+}
+
+Pieces bezier(std::span<const double> points) {
+    return piecesOf(curveOf(points, 2, "bezier", Ends::none));
+}
+
+Pieces bezierSpline(std::span<const double> bezier) {
+    constexpr std::size_t numbersAPiece = 8;
+    std::vector<double> knots;
+    for (std::size_t i = 0; i <= bezier.size() / numbersAPiece; ++i) {
+        knots.push_back(static_cast<double>(i));
+    }
+    return {3, 2, KnotLine(std::move(knots)), {bezier.begin(), bezier.end()}};
+}
+
+Pieces clampedBSpline(std::span<const double> points, int degree) {
+    auto curve = curveOf(points, 2, "b-spline", Ends::clamped);
+    curve.parameters["degree"] = degree;
+    return piecesOf(curve);
+}
+
+std::size_t positionsSize(const Pieces& pieces, std::size_t perPiece) {
+    return pieces.size() * perPiece * static_cast<std::size_t>(pieces.dimension());
+}
+
+void positions(const Pieces& pieces, std::size_t perPiece, std::span<double> out) {
+    writePositions(pieces, perPiece, out);
+}
+
+void positions(const Pieces& pieces, std::size_t perPiece, std::span<float> out) {
+    writePositions(pieces, perPiece, out);
+}
+
+PositionsAt positionsAt(const Pieces& pieces) {
+    return [pieces](std::span<const double> t, std::span<double> out) {
+        for (std::size_t i = 0; i < t.size(); ++i) {
+            const auto position = pieces.position(pieces.knots().locate(t[i]));
+            out[2 * i] = position[0];
+            out[2 * i + 1] = position[1];
+        }
+    };
+}
+
+Jets jets(const Pieces& pieces, std::size_t perPiece) {
+    const auto spots = spreadPerPiece(pieces, perPiece);
+    const auto table = std::make_shared<std::vector<Jet>>(spots.size());
+    return {.run =
+                [pieces, spots, table] {
+                    for (std::size_t i = 0; i < spots.size(); ++i) {
+                        (*table)[i] = pieces.jet(spots[i]);
+                    }
+                },
+            .result =
+                [table] {
+                    std::vector<double> numbers;
+                    for (const auto& jet : *table) {
+                        numbers.insert(numbers.end(),
+                                       {jet.position[0], jet.position[1], jet.first[0],
+                                        jet.first[1], jet.curvature.value_or(0)});
+                    }
+                    return numbers;
+                }};
+}
+
+bool hasNaturalGraph() {
+    return false;
+}
+
+GraphAt naturalGraph(std::span<const double>, std::span<const double>) {
+    return {};
+}
+
+double length(const Pieces& pieces) {
+    return ArcLength(pieces).total();
+}
+
+void evenPoints(const Pieces& pieces, std::size_t count, std::span<double> out) {
+    const ArcLength lengths(pieces);
+    auto* next = out.data();
+    for (const auto& spot : spread(pieces, lengths, Even::length, count)) {
+        const auto position = pieces.position(spot);
+        *next++ = position[0];
+        *next++ = position[1];
+    }
+}
+
+NearestParameter nearest(const Pieces& pieces) {
+    return [pieces](double x, double y) {
+        const auto found = nearestTo(pieces, {x, y});
+        return pieces.knots().parameter(found->spot);
+    };
+}
+
+} // namespace splineloft::bench::ours
