@@ -1,5 +1,6 @@
 #include "ui/study.h"
 
+#include "core/spline/bernstein.h"
 #include "ui/canvas/viewport.h"
 
 #include <algorithm>
@@ -19,12 +20,9 @@ constexpr std::size_t mostForJoints = 5000;
 /// Whether two curves have the same blends: they differ at most in where their points are, and the
 /// knots do not follow the points.
 bool sameBlends(const Curve& a, const Curve& b) {
-    return a.family == b.family && a.parameters == b.parameters && a.closed == b.closed &&
-           a.ends == b.ends && a.points.size() == b.points.size() &&
-           familyOf(a).spacing != Spacing::chord;
+    return static_cast<const Spline&>(a) == b && a.points.size() == b.points.size() &&
+           !knotsFollowPoints(a);
 }
-
-/// Value at u of the function with these Bernstein coefficients.
 
 /// The controls that take part in a piece, in order.
 std::set<std::size_t> controlsIn(std::span<const Blend> bezier) {

@@ -2,7 +2,7 @@
 // that a snapshot costs a few pointers.
 #pragma once
 
-#include "core/spline/curve.h"
+#include "core/spline/problem.h"
 
 #include <compare>
 #include <memory>

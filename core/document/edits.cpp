@@ -1,6 +1,7 @@
 #include "core/document/edits.h"
 
 #include "core/document/handles.h"
+#include "core/document/lists.h"
 #include "core/spline/catalog.h"
 
 #include <algorithm>
@@ -136,6 +137,7 @@ Document insertPoint(const Document& document, std::size_t curve, std::size_t be
                      const Point& place) {
     return changed(document, curve, [&](Curve& changing) {
         changing.points.insert(before, place);
+        addToLists(changing, before);
         if (familyOf(changing).usesTangents) {
             const auto all = catmullRomTangents(changing.points, changing.closed);
             changing.tangents.insert(before, all.at(before));
@@ -191,6 +193,7 @@ Document deletePoints(const Document& document, std::span<const PointId> ids) {
                 return;
             }
             curve.points = without(curve.points, indices);
+            removeFromLists(curve, indices);
             if (!curve.tangents.empty()) {
                 curve.tangents = without(curve.tangents, indices);
             }
@@ -210,10 +213,15 @@ Document setFamily(const Document& document, std::size_t curve, std::string_view
     return changed(document, curve, [&](Curve& changing) {
         changing.family = family;
         changing.parameters.clear();
+        changing.local.clear(); // the same word means something else in every family
+        dropUnusedLists(changing);
+        if (!changing.knots.empty()) { // which belong to the degree
+            changing.parameters["degree"] = parameterOf(*document.curves[curve], "degree");
+        }
         completeParameters(changing);
         changing.closed = changing.closed && wanted->closable;
-        if (std::ranges::find(wanted->ends, changing.ends) == wanted->ends.end()) {
-            changing.ends = wanted->ends.front();
+        if (changing.knots.empty()) {
+            dropKnots(changing); // for an end that the family has
         }
         changing.tangents = wanted->usesTangents
                                 ? catmullRomTangents(changing.points, changing.closed)
@@ -223,12 +231,20 @@ Document setFamily(const Document& document, std::size_t curve, std::string_view
 
 Document setParameter(const Document& document, std::size_t curve, std::string_view key,
                       double value) {
-    return changed(document, curve,
-                   [&](Curve& changing) { changing.parameters[std::string(key)] = value; });
+    return changed(document, curve, [&](Curve& changing) {
+        const auto before = parameterOf(changing, key);
+        changing.parameters[std::string(key)] = value;
+        if (key == "degree" && value != before) {
+            dropKnots(changing); // they belong to the degree
+        }
+    });
 }
 
 Document setEnds(const Document& document, std::size_t curve, Ends ends) {
-    return changed(document, curve, [&](Curve& changing) { changing.ends = ends; });
+    return changed(document, curve, [&](Curve& changing) {
+        changing.ends = ends;
+        dropKnots(changing);
+    });
 }
 
 Document setClosed(const Document& document, std::size_t curve, bool closed) {
@@ -236,7 +252,10 @@ Document setClosed(const Document& document, std::size_t curve, bool closed) {
         if (hasHandles(changing)) {
             fitHandlesToClosing(changing, closed);
         }
-        changing.closed = closed;
+        if (changing.closed != closed) {
+            changing.closed = closed;
+            dropKnots(changing); // an open curve has others than a closed one
+        }
     });
 }
 

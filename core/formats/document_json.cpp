@@ -31,6 +31,13 @@ void writeParameters(JsonText& json, const Curve& curve) {
     json.end();
 }
 
+void writeNumbers(JsonText& json, std::string_view key, const std::vector<double>& numbers) {
+    if (!numbers.empty()) {
+        json.key(key);
+        json.numbers(numbers);
+    }
+}
+
 void writeCurve(JsonText& json, const Curve& curve) {
     json.beginObject();
     json.key("name");
@@ -43,6 +50,17 @@ void writeCurve(JsonText& json, const Curve& curve) {
     writeTable(json, "points", curve.points);
     if (familyOf(curve).usesTangents) {
         writeTable(json, "tangents", curve.tangents);
+    }
+    writeNumbers(json, "knots", curve.knots);
+    writeNumbers(json, "weights", curve.weights);
+    if (!curve.local.empty()) {
+        json.key("local");
+        json.beginObject();
+        for (const auto& [key, values] : curve.local) {
+            json.key(key);
+            json.numbers(values);
+        }
+        json.end();
     }
     json.key("closed");
     json.boolean(curve.closed);

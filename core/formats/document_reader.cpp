@@ -29,6 +29,15 @@ Keys curveKeys(const Family& family) {
     if (family.usesTangents) {
         keys.push_back("tangents");
     }
+    if (family.usesKnots) {
+        keys.push_back("knots");
+    }
+    if (family.usesWeights) {
+        keys.push_back("weights");
+    }
+    if (std::ranges::any_of(family.parameters, &Parameter::local)) {
+        keys.push_back("local");
+    }
     return keys;
 }
 
@@ -73,13 +82,7 @@ class DocumentReader {
         if (!problem || refusal_) {
             return;
         }
-        auto place = problem->place;
-        constexpr std::string_view parameters = "/parameters/";
-        if (const auto at = place.find(parameters); at != place.npos) {
-            const auto key = at + parameters.size();
-            place = place.substr(0, key - 1) + pointerToken(place.substr(key));
-        }
-        refusal_ = Refusal{"", within.pointer() + place, problem->what, problem->remedy};
+        refusal_ = Refusal{"", within.pointer() + problem->place, problem->what, problem->remedy};
     }
 
     bool expect(const JsonValue& value, JsonKind kind, const JsonPlace& place) {
@@ -190,6 +193,7 @@ class DocumentReader {
         }
         readParameters(curve, *family, members, place);
         readTables(curve, *family, members, place);
+        readLists(curve, members, place);
         readEnds(curve, *family, members, place);
         return curve;
     }
@@ -241,6 +245,34 @@ class DocumentReader {
                 curve.tangents = table(*tangents, {place, "tangents"}, curve.points.dimension());
             }
         }
+    }
+
+    /// Knots, weights and local parameters.
+    void readLists(Curve& curve, const Members& members, const JsonPlace& place) {
+        if (const auto* knots = optional(members, "knots")) {
+            curve.knots = numbers(*knots, {place, "knots"});
+        }
+        if (const auto* weights = optional(members, "weights")) {
+            curve.weights = numbers(*weights, {place, "weights"});
+        }
+        if (const auto* local = optional(members, "local")) {
+            const JsonPlace here(place, "local");
+            for (const auto& [key, values] : membersOf(*local, here)) {
+                curve.local[std::string(key)] = numbers(values, {here, key});
+            }
+        }
+    }
+
+    /// A list of numbers, at least one.
+    std::vector<double> numbers(const JsonValue& value, const JsonPlace& place) {
+        std::vector<double> list;
+        eachOf(value, place, [&](const JsonValue& entry, const JsonPlace& here) {
+            list.push_back(number(entry, here));
+        });
+        if (list.empty()) {
+            refuse(place, "is empty", "numbers, or nothing at all");
+        }
+        return list;
     }
 
     std::vector<std::string> coordinateNames(const JsonValue& value, const JsonPlace& place) {
@@ -296,7 +328,7 @@ class DocumentReader {
         const auto* closed = optional(members, "closed");
         curve.closed = closed != nullptr && expect(*closed, JsonKind::boolean, {place, "closed"}) &&
                        closed->boolean();
-        curve.ends = family.ends.front();
+        curve.ends = curve.knots.empty() ? family.ends.front() : Ends::none;
         const auto* given = optional(members, "ends");
         if (given == nullptr) {
             return;

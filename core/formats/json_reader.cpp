@@ -3,6 +3,7 @@
 
 #include "core/formats/json_text.h"
 #include "core/formats/numbers.h"
+#include "core/spline/problem.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,13 +1,8 @@
 #include "core/formats/json_tape.h"
 
+#include "core/spline/problem.h"
+
 namespace splineloft {
-namespace {
-
-/// Longest key spelled out in a JSON pointer, in bytes.
-constexpr std::size_t longestToken = 80;
-
-} // namespace
-
 std::string_view describe(JsonKind kind) {
     switch (kind) {
     case JsonKind::null: return "is null";
@@ -18,22 +13,6 @@ std::string_view describe(JsonKind kind) {
     case JsonKind::object: return "is an object";
     }
     return "";
-}
-
-std::string pointerToken(std::string_view key) {
-    std::string token = "/";
-    for (const char c : key.substr(0, longestToken)) {
-        if (c == '~' || c == '/') {
-            token += c == '~' ? "~0" : "~1";
-        } else {
-            token += c;
-        }
-    }
-    return key.size() > longestToken ? token + "..." : token;
-}
-
-std::string pointerToken(std::size_t index) {
-    return pointerToken(std::to_string(index));
 }
 
 std::string JsonPlace::pointer() const {

@@ -46,10 +46,6 @@ class JsonPlace {
     static constexpr std::size_t notAnIndex = static_cast<std::size_t>(-1);
 };
 
-/// One token of a JSON pointer, with its slash: ~ and / escaped, shortened where it is very long.
-std::string pointerToken(std::string_view key);
-std::string pointerToken(std::size_t index);
-
 /// One value on the tape. `extent` leads to the value after it and all that it contains.
 struct JsonCell {
     explicit JsonCell(JsonKind what) : kind(what) {}

@@ -43,16 +43,16 @@ std::vector<Place> endToEnd(std::size_t points, std::size_t extra, Ends ends) {
 
 /// Chord lengths to the power alpha between the arranged points. Places added at an end are spaced
 /// as their mirror images are, so that a doubled end does not collapse the knots there.
-std::vector<double> chordIntervals(const Curve& curve, const Arrangement& arrangement,
-                                   double alpha) {
-    std::vector<Point> points;
-    for (const auto& place : arrangement.places) {
-        const Point own = curve.points.at(place.control);
-        points.push_back(place.mirroredAt ? 2.0 * curve.points.at(*place.mirroredAt) - own : own);
-    }
+std::vector<double> chordIntervals(bool closed, const PointsView& points,
+                                   const Arrangement& arrangement, double alpha) {
+    const auto placeOf = [&](const Place& place) {
+        const Point own = points.at(place.control);
+        return place.mirroredAt ? 2.0 * points.at(*place.mirroredAt) - own : own;
+    };
     std::vector<double> intervals;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        intervals.push_back(std::pow(distance(points[i], points[i + 1]), alpha));
+    for (std::size_t i = 0; i + 1 < arrangement.places.size(); ++i) {
+        const Point step = placeOf(arrangement.places[i + 1]) - placeOf(arrangement.places[i]);
+        intervals.push_back(std::pow(norm(step), alpha));
     }
     // What is below rounding beside the whole line of knots counts as nothing, as it would come out
     // anyway farther along: only near t = 0 could such a sliver survive, with huge slopes on it.
@@ -62,7 +62,7 @@ std::vector<double> chordIntervals(const Curve& curve, const Arrangement& arrang
     for (double& interval : intervals) {
         interval = interval < least ? 0 : interval;
     }
-    if (!curve.closed) {
+    if (!closed) {
         const auto before = arrangement.before;
         const auto count = intervals.size();
         for (std::size_t k = 0; k < before && 2 * before <= count; ++k) {
@@ -85,74 +85,149 @@ std::vector<double> accumulate(const std::vector<double>& intervals, std::size_t
     return knots;
 }
 
-/// Whole numbers with 0 at index `origin`; with full multiplicity at both ends where clamped.
-std::vector<double> wholeKnots(std::size_t count, std::size_t origin, std::size_t pieces,
-                               bool clamped) {
+/// Whole numbers with 0 at index `origin`.
+std::vector<double> wholeKnots(std::size_t count, std::size_t origin) {
     std::vector<double> knots;
     for (std::size_t i = 0; i < count; ++i) {
-        const double knot = static_cast<double>(i) - static_cast<double>(origin);
-        knots.push_back(clamped ? std::clamp(knot, 0.0, static_cast<double>(pieces)) : knot);
+        knots.push_back(static_cast<double>(i) - static_cast<double>(origin));
     }
     return knots;
 }
 
-std::vector<double> knotsOf(const Curve& curve, const Arrangement& arrangement,
-                            std::size_t origin) {
-    const auto count = arrangement.places.size();
-    switch (familyOf(curve).spacing) {
-    case Spacing::chord:
-        return accumulate(chordIntervals(curve, arrangement, parametersOf(curve)[0]), origin);
-    case Spacing::knotVector: {
-        const auto all = count + static_cast<std::size_t>(arrangement.layout.degree) + 1;
-        return wholeKnots(all, origin, arrangement.pieces,
-                          !curve.closed && curve.ends == Ends::clamped);
+/// Intervals between a B-spline's knots from those between its places: each piece gets the leg in
+/// the middle of its window, or the mean of two. Beyond the legs they go around the loop of
+/// `period` pieces, or without one come mirror images.
+std::vector<double> middleLegs(const std::vector<double>& legs, std::size_t degree,
+                               std::size_t count, std::size_t period) {
+    const auto wrapped = [](std::ptrdiff_t i, std::size_t around) {
+        const auto n = static_cast<std::ptrdiff_t>(around);
+        return static_cast<std::size_t>(((i % n) + n) % n);
+    };
+    const auto leg = [&](std::ptrdiff_t i) {
+        const auto within = wrapped(i, period > 0 ? period : 2 * legs.size());
+        return legs[std::min(within, 2 * legs.size() - 1 - within)];
+    };
+    std::vector<double> intervals;
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto middle = static_cast<std::ptrdiff_t>(k) - static_cast<std::ptrdiff_t>(degree) +
+                            static_cast<std::ptrdiff_t>(degree / 2);
+        const bool odd = degree % 2 == 1;
+        intervals.push_back(odd ? leg(middle) : 0.5 * (leg(middle - 1) + leg(middle)));
     }
+    return intervals;
+}
+
+/// A closed B-spline's own knots, one a joint, continued around the loop: `degree` before them and
+/// as many behind.
+std::vector<double> periodicKnots(const std::vector<double>& own, std::size_t degree) {
+    const auto pieces = own.size() - 1;
+    const double period = own.back() - own.front();
+    std::vector<double> knots;
+    for (std::size_t i = 0; i < pieces + 2 * degree + 1; ++i) {
+        const auto from = static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(degree);
+        const auto around = static_cast<std::ptrdiff_t>(pieces);
+        const auto turns = (from >= 0 ? from : from - around + 1) / around;
+        knots.push_back(own[static_cast<std::size_t>(from - turns * around)] +
+                        static_cast<double>(turns) * period);
+    }
+    return knots;
+}
+
+/// A B-spline's knots, places + degree + 1 of them.
+std::vector<double> knotVectorOf(const Spline& spline, const PointsView& points,
+                                 const Arrangement& arrangement, double alpha) {
+    const auto degree = static_cast<std::size_t>(arrangement.layout.degree);
+    const auto count = arrangement.places.size() + degree + 1;
+    if (!spline.knots.empty()) {
+        return spline.closed ? periodicKnots(spline.knots, degree) : spline.knots;
+    }
+    auto knots = wholeKnots(count, degree);
+    if (alpha > 0 && arrangement.places.size() > 1) {
+        const auto legs = chordIntervals(spline.closed, points, arrangement, alpha);
+        const auto period = spline.closed ? arrangement.pieces() : 0;
+        const auto spaced = accumulate(middleLegs(legs, degree, count - 1, period), degree);
+        if (spaced[count - degree - 1] > spaced[degree]) { // else all points coincide
+            knots = spaced;
+        }
+    }
+    if (!spline.closed && spline.ends == Ends::clamped && count >= 2 * degree + 2) {
+        const double last = knots[count - degree - 1];
+        for (double& knot : knots) {
+            knot = std::clamp(knot, 0.0, last);
+        }
+    }
+    return knots;
+}
+
+std::vector<double> knotsOf(const Spline& spline, const PointsView& points,
+                            const Arrangement& arrangement) {
+    switch (familyOf(spline).spacing) {
+    case Spacing::chord:
+        return accumulate(
+            chordIntervals(spline.closed, points, arrangement, parameterOf(spline, "alpha")),
+            static_cast<std::size_t>(arrangement.layout.lead));
+    case Spacing::knotVector:
+        return knotVectorOf(spline, points, arrangement, parameterOf(spline, "alpha"));
     case Spacing::uniform: break;
     }
-    return wholeKnots(count, origin, arrangement.pieces, false);
+    return wholeKnots(arrangement.places.size(), static_cast<std::size_t>(arrangement.layout.lead));
+}
+
+/// The parameter values at the beginnings of the windows, and where the last piece ends. Piece i
+/// begins at knot origin + i, among the knots of a B-spline or among those of the points; a
+/// B-spline has no piece where two of its knots are one.
+void joinPieces(Arrangement& arrangement, bool knotVector) {
+    const auto& layout = arrangement.layout;
+    const auto& knots = arrangement.knots;
+    const auto origin = static_cast<std::size_t>(knotVector ? layout.degree : layout.lead);
+    if (knotVector) {
+        std::erase_if(arrangement.windows, [&](std::size_t window) {
+            return !(knots[origin + window] < knots[origin + window + 1]);
+        });
+    }
+    std::vector<double> joints;
+    for (std::size_t i = 0; i < arrangement.pieces(); ++i) {
+        joints.push_back(layout.stride > 1 ? static_cast<double>(i)
+                                           : knots[origin + arrangement.windows[i]]);
+    }
+    if (!joints.empty()) {
+        joints.push_back(layout.stride > 1 ? static_cast<double>(joints.size())
+                                           : knots[origin + arrangement.windows.back() + 1]);
+        arrangement.joints = KnotLine(std::move(joints));
+    }
 }
 
 } // namespace
 
-Arrangement arrangementOf(const Curve& curve) {
+Arrangement arrangementOf(const Spline& spline, const PointsView& points) {
     Arrangement result;
-    result.layout = layoutOf(curve);
+    result.layout = layoutOf(spline, points.size());
     const auto& layout = result.layout;
-    const auto points = curve.points.size();
     const auto stride = static_cast<std::size_t>(layout.stride);
     const auto window = static_cast<std::size_t>(layout.window);
-    if (points < 2) {
+    if (points.size() < 2) {
         return result;
     }
-    if (curve.closed) {
-        result.pieces = points / stride;
+    std::size_t pieces = 0;
+    if (spline.closed) {
+        pieces = points.size() / stride;
         result.before = static_cast<std::size_t>(layout.lead);
-        if (result.pieces == 0) {
+        if (pieces == 0) {
             return result;
         }
-        result.places = aroundTheLoop(points, result.pieces, layout);
+        result.places = aroundTheLoop(points.size(), pieces, layout);
     } else {
-        const bool extended = curve.ends == Ends::doubled || curve.ends == Ends::reflected;
+        const bool extended = spline.ends == Ends::doubled || spline.ends == Ends::reflected;
         result.before = extended ? (window - 1) / 2 : 0;
-        result.places = endToEnd(points, result.before, curve.ends);
+        result.places = endToEnd(points.size(), result.before, spline.ends);
         const auto count = result.places.size();
-        result.pieces = count < window ? 0 : (count - window) / stride + 1;
+        pieces = count < window ? 0 : (count - window) / stride + 1;
     }
-    // Piece i begins at knot origin + i: among the knots of a B-spline, or among those of the
-    // points.
-    const bool knotVector = familyOf(curve).spacing == Spacing::knotVector;
-    const auto origin = static_cast<std::size_t>(knotVector ? layout.degree : layout.lead);
-    result.knots = knotsOf(curve, result, origin);
-    if (result.pieces > 0) {
-        std::vector<double> joints(result.pieces + 1);
-        if (stride == 1) {
-            const auto first = result.knots.begin() + static_cast<std::ptrdiff_t>(origin);
-            joints.assign(first, first + static_cast<std::ptrdiff_t>(result.pieces + 1));
-        } else {
-            std::iota(joints.begin(), joints.end(), 0.0);
-        }
-        result.joints = KnotLine(std::move(joints));
+    for (std::size_t i = 0; i < pieces; ++i) {
+        result.windows.push_back(i * stride);
     }
+    result.knots = knotsOf(spline, points, result);
+    joinPieces(result, familyOf(spline).spacing == Spacing::knotVector);
     return result;
 }
 

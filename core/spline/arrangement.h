@@ -18,14 +18,16 @@ struct Place {
 struct Arrangement {
     Layout layout;
     std::vector<Place> places;
-    std::size_t pieces = 0;
-    std::size_t before = 0;    ///< places that stand before control point 0
-    std::vector<double> knots; ///< as `Input::knots`
-    KnotLine joints;           ///< parameter values where the pieces meet
+    std::vector<std::size_t> windows; ///< where the window of each piece begins among the places
+    std::size_t before = 0;           ///< places that stand before control point 0
+    std::vector<double> knots;        ///< as `Input::knots`
+    KnotLine joints;                  ///< parameter values where the pieces meet
+
+    std::size_t pieces() const { return windows.size(); }
 };
 
 /// Arranges the control points of a curve that has no problem.
-Arrangement arrangementOf(const Curve& curve);
+Arrangement arrangementOf(const Spline& spline, const PointsView& points);
 
 /// The values of the arranged places, from those of the controls.
 template <Blendable T>

@@ -7,7 +7,8 @@
 #define SPLINELOFT_FAMILIES(family)                                                                \
     family(linear) family(lagrange) family(parametricParabola) family(bezier) family(bezierSpline) \
         family(hermite) family(cardinal) family(catmullRom) family(kochanekBartels)                \
-            family(natural) family(bSpline) family(bcSpline) family(duff) family(beta)
+            family(natural) family(bSpline) family(bcSpline) family(duff) family(beta)             \
+                family(nurbs)
 
 namespace splineloft {
 

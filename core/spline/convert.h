@@ -1,7 +1,7 @@
 // The same curve as another family, where that exists exactly.
 #pragma once
 
-#include "core/spline/curve.h"
+#include "core/spline/problem.h"
 
 #include <variant>
 #include <vector>

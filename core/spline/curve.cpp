@@ -2,9 +2,9 @@
 
 #include "core/spline/arrangement.h"
 #include "core/spline/catalog.h"
+#include "core/spline/problem.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -12,103 +12,63 @@
 namespace splineloft {
 namespace {
 
-std::string shortest(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
+/// The parameters of a spline as its family reads them: at the arranged places where local.
+struct Settings {
+    std::vector<double> parameters;
+    std::vector<std::vector<double>> local;
+    std::vector<double> weights; ///< of the places; none in families that use none
+};
 
-/// "a", "b" or "c", from any range of named things.
-template <class Range, class Name> std::string choice(const Range& range, Name name) {
-    std::string words;
-    for (const auto& item : range) {
-        words += (words.empty() ? "" : ", ") + std::string(name(item));
-    }
-    return words;
-}
-
-std::optional<Problem> parameterProblem(const Curve& curve, const Family& family) {
-    for (const auto& [key, value] : curve.parameters) {
-        const std::string place = "/parameters/" + key;
-        const auto found = std::ranges::find(family.parameters, key, &Parameter::key);
-        if (found == family.parameters.end()) {
-            return Problem{
-                place, "the family " + curve.family + " has no parameter \"" + key + "\"",
-                family.parameters.empty()
-                    ? "leave it out"
-                    : "use " + choice(family.parameters, [](const auto& p) { return p.key; })};
+Settings settingsOf(const Spline& spline, const Arrangement& arrangement) {
+    Settings settings{parametersOf(spline), {}, {}};
+    const auto atPlaces = [&](const std::vector<double>& values) {
+        std::vector<double> arranged;
+        for (const auto& place : arrangement.places) {
+            arranged.push_back(values.empty() ? 1 : values[place.control]);
         }
-        const bool whole = found->scale != Scale::whole || value == std::floor(value);
-        if (!(value >= found->least && value <= found->most) || !whole) {
-            return Problem{
-                place, "is " + shortest(value),
-                std::string(found->scale == Scale::whole ? "a whole number" : "a number") +
-                    " from " + shortest(found->least) + " to " + shortest(found->most)};
+        return arranged;
+    };
+    for (const auto& parameter : familyOf(spline).parameters) {
+        const auto given = spline.local.find(std::string(parameter.key));
+        settings.local.push_back(given == spline.local.end() ? std::vector<double>()
+                                                             : atPlaces(given->second));
+    }
+    if (familyOf(spline).usesWeights) {
+        settings.weights = atPlaces(spline.weights);
+        // Only ratios matter. The largest near 1 keeps coordinates from overflowing.
+        const double unit = std::exp2(std::ilogb(std::ranges::max(settings.weights)));
+        for (double& weight : settings.weights) {
+            weight /= unit;
         }
     }
-    return std::nullopt;
+    return settings;
 }
 
-std::optional<Problem> tableProblem(const Points& table, const Curve& curve,
-                                    const std::string& place) {
-    if (table.dimension() != curve.points.dimension()) {
-        return Problem{place, "has " + std::to_string(table.dimension()) + " coordinates",
-                       "as many as the points have: " + std::to_string(curve.points.dimension())};
-    }
-    const auto values = table.values();
-    const auto bad = std::ranges::find_if(values, [](double v) { return !std::isfinite(v); });
-    if (bad == values.end()) {
-        return std::nullopt;
-    }
-    const auto at = bad - values.begin();
-    return Problem{place + "/" + std::to_string(at / table.dimension()) + "/" +
-                       std::to_string(at % table.dimension()),
-                   "is not a finite number", "a finite number"};
+template <Blendable T>
+Input<T> inputFor(const Spline& spline, const Arrangement& arrangement, const Settings& settings,
+                  std::span<const T> points, std::span<const T> tangents) {
+    return {points,
+            tangents,
+            arrangement.knots,
+            settings.parameters,
+            settings.local,
+            arrangement.windows,
+            arrangement.layout,
+            spline.closed};
 }
 
-std::optional<Problem> coordinatesProblem(const Curve& curve) {
-    const int dimension = curve.points.dimension();
-    if (dimension < 1 || dimension > maxDimension) {
-        return Problem{"/points", "points have " + std::to_string(dimension) + " coordinates",
-                       "1 to " + std::to_string(maxDimension) + " coordinates"};
+/// What is blended, place after place, each times its weight where there are weights.
+template <Blendable T>
+std::vector<T> weighted(const std::vector<Place>& places, std::span<const T> controls,
+                        const std::vector<double>& weights) {
+    auto values = arranged<T>(places, controls);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        values[i] = weights[i] * values[i];
     }
-    if (curve.coordinates.size() != static_cast<std::size_t>(dimension)) {
-        return Problem{"/coordinates",
-                       "names " + std::to_string(curve.coordinates.size()) +
-                           " coordinates where the "
-                           "points have " +
-                           std::to_string(dimension),
-                       "one name for each coordinate"};
-    }
-    for (std::size_t i = 0; i < curve.coordinates.size(); ++i) {
-        const auto& name = curve.coordinates[i];
-        if (name.empty() || std::ranges::count(curve.coordinates, name) > 1) {
-            return Problem{"/coordinates/" + std::to_string(i),
-                           name.empty() ? "is empty" : "stands twice: \"" + name + "\"",
-                           "a name of its own for each coordinate"};
-        }
-    }
-    return std::nullopt;
+    return values;
 }
 
-std::optional<Problem> tangentsProblem(const Curve& curve, const Family& family) {
-    if (!family.usesTangents) {
-        return curve.tangents.empty()
-                   ? std::nullopt
-                   : std::optional(Problem{"/tangents",
-                                           "the family " + curve.family + " takes no tangents",
-                                           "leave them out, or use the family hermite"});
-    }
-    if (curve.tangents.size() != curve.points.size()) {
-        return Problem{"/tangents",
-                       "has " + std::to_string(curve.tangents.size()) + " tangents for " +
-                           std::to_string(curve.points.size()) + " points",
-                       "one tangent for each point"};
-    }
-    return tableProblem(curve.tangents, curve, "/tangents");
-}
-
-/// What the families blend, one control after another: unit recipes for points and tangents.
+/// Unit recipes: exactly the control number first, first + 1, ...
 std::vector<Blend> unitBlends(std::size_t first, std::size_t count) {
     std::vector<Blend> blends;
     for (std::size_t i = 0; i < count; ++i) {
@@ -117,160 +77,162 @@ std::vector<Blend> unitBlends(std::size_t first, std::size_t count) {
     return blends;
 }
 
-template <Blendable T>
-Input<T> inputFor(const Curve& curve, const Arrangement& arrangement, std::span<const T> points,
-                  std::span<const T> tangents, std::span<const double> parameters) {
-    return {points, tangents, arrangement.knots, parameters, arrangement.layout, curve.closed};
-}
-
-std::vector<double> column(const Points& table, int coordinate) {
-    std::vector<double> values;
-    values.reserve(table.size());
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        values.push_back(table[i][static_cast<std::size_t>(coordinate)]);
+/// One coordinate of all points; in place of a weight, the coordinate after the last, ones.
+std::vector<double> column(const PointsView& table, int coordinate) {
+    std::vector<double> values(table.size(), 1.0);
+    for (std::size_t i = 0; i < table.size() && coordinate < table.dimension(); ++i) {
+        values[i] = table(i, coordinate);
     }
     return values;
 }
 
-} // namespace
-
-std::optional<Problem> problemOf(const Curve& curve) {
-    const Family* family = findFamily(curve.family);
-    if (family == nullptr) {
-        return Problem{"/family", "there is no family \"" + curve.family + "\"",
-                       "one of " + choice(catalog(), [](const auto& f) { return f.id; })};
-    }
-    if (curve.points.size() > family->mostPoints) {
-        return Problem{"/points", "has " + std::to_string(curve.points.size()) + " points",
-                       "at most " + std::to_string(family->mostPoints) + " points for the family " +
-                           curve.family};
-    }
-    if (curve.closed && !family->closable) {
-        return Problem{"/closed", "a curve of the family " + curve.family + " cannot be closed",
-                       "false, or another family"};
-    }
-    const bool endsMatter = !(curve.closed && curve.ends == Ends::none);
-    if (endsMatter && std::ranges::find(family->ends, curve.ends) == family->ends.end()) {
-        return Problem{"/ends", "is \"" + std::string(nameOf(curve.ends)) + "\"",
-                       "for the family " + curve.family + ": " +
-                           choice(family->ends, [](Ends e) { return nameOf(e); })};
-    }
-    if (auto problem = coordinatesProblem(curve)) {
-        return problem;
-    }
-    if (auto problem = tableProblem(curve.points, curve, "/points")) {
-        return problem;
-    }
-    if (auto problem = tangentsProblem(curve, *family)) {
-        return problem;
-    }
-    return parameterProblem(curve, *family);
+std::size_t bezierPoints(const Arrangement& arrangement) {
+    return arrangement.pieces() * (static_cast<std::size_t>(arrangement.layout.degree) + 1);
 }
 
-const Family& familyOf(const Curve& curve) {
-    const Family* family = findFamily(curve.family);
-    if (family == nullptr) {
-        throw std::invalid_argument("there is no spline family \"" + curve.family + "\"");
-    }
-    return *family;
-}
-
-std::vector<double> parametersOf(const Curve& curve) {
-    std::vector<double> values;
-    for (const auto& parameter : familyOf(curve).parameters) {
-        const auto given = curve.parameters.find(std::string(parameter.key));
-        values.push_back(given == curve.parameters.end() ? parameter.neutral : given->second);
-    }
-    return values;
-}
-
-void completeParameters(Curve& curve) {
-    for (const auto& parameter : familyOf(curve).parameters) {
-        curve.parameters.try_emplace(std::string(parameter.key), parameter.neutral);
-    }
-}
-
-Layout layoutOf(const Curve& curve) {
-    return familyOf(curve).layout(parametersOf(curve), curve.points.size());
-}
-
-std::size_t fewestPoints(const Curve& curve) {
-    Curve trial = curve;
-    trial.points = Points(curve.points.dimension());
-    trial.tangents = trial.points;
-    std::size_t count = 0;
-    do {
-        trial.points.append(Point(curve.points.dimension()));
-        ++count;
-    } while (arrangementOf(trial).pieces == 0);
-    return count;
-}
-
-Pieces piecesOf(const Curve& curve) {
-    if (const auto problem = problemOf(curve)) {
+void refuse(const std::optional<Problem>& problem) {
+    if (problem) {
         throw std::invalid_argument("curve" + problem->place + " " + problem->what +
                                     "; right would be: " + problem->remedy);
     }
-    const auto arrangement = arrangementOf(curve);
-    const int dimension = curve.points.dimension();
-    if (arrangement.pieces == 0) {
-        return {arrangement.layout.degree, dimension, {}, {}};
+}
+
+/// The pieces of a spline without problem.
+Pieces blended(const Spline& spline, const PointsView& points, const PointsView& tangents) {
+    const auto arrangement = arrangementOf(spline, points);
+    const auto& layout = arrangement.layout;
+    const int dimension = points.dimension();
+    if (arrangement.pieces() == 0) {
+        return {layout.degree, dimension, {}, {}, layout.form};
     }
-    const auto& family = familyOf(curve);
-    const auto parameters = parametersOf(curve);
-    const auto count =
-        arrangement.pieces * (static_cast<std::size_t>(arrangement.layout.degree) + 1);
-    const auto stride = static_cast<std::size_t>(dimension);
+    const auto& family = familyOf(spline);
+    const auto settings = settingsOf(spline, arrangement);
+    const auto count = bezierPoints(arrangement);
+    const int width = dimension + (layout.form == Form::rational ? 1 : 0);
+    const auto stride = static_cast<std::size_t>(width);
     std::vector<double> bezier(count * stride);
     std::vector<double> one(count);
-    for (int c = 0; c < dimension; ++c) {
-        const auto points = arranged<double>(arrangement.places, column(curve.points, c));
-        std::vector<double> tangents;
+    for (int c = 0; c < width; ++c) {
+        const auto own = weighted<double>(arrangement.places, column(points, c), settings.weights);
+        std::vector<double> ownTangents;
         if (family.usesTangents) {
-            tangents = arranged<double>(arrangement.places, column(curve.tangents, c));
+            ownTangents = arranged<double>(arrangement.places, column(tangents, c));
         }
-        family.blendCoordinates(inputFor<double>(curve, arrangement, points, tangents, parameters),
-                                {0, arrangement.pieces}, one);
+        family.blendCoordinates(inputFor<double>(spline, arrangement, settings, own, ownTangents),
+                                {0, arrangement.pieces()}, one);
         for (std::size_t i = 0; i < count; ++i) {
             bezier[i * stride + static_cast<std::size_t>(c)] = one[i];
         }
     }
-    return {arrangement.layout.degree, dimension, arrangement.joints, std::move(bezier)};
+    return {layout.degree, dimension, arrangement.joints, std::move(bezier), layout.form};
+}
+
+} // namespace
+
+const Family& familyOf(const Spline& spline) {
+    const Family* family = findFamily(spline.family);
+    if (family == nullptr) {
+        throw std::invalid_argument("there is no spline family \"" + spline.family + "\"");
+    }
+    return *family;
+}
+
+std::vector<double> parametersOf(const Spline& spline) {
+    std::vector<double> values;
+    for (const auto& parameter : familyOf(spline).parameters) {
+        values.push_back(parameterOf(spline, parameter.key));
+    }
+    return values;
+}
+
+double parameterOf(const Spline& spline, std::string_view key) {
+    const auto& parameters = familyOf(spline).parameters;
+    const auto found = std::ranges::find(parameters, key, &Parameter::key);
+    if (found == parameters.end()) {
+        throw std::invalid_argument("the family " + spline.family + " has no parameter \"" +
+                                    std::string(key) + "\"");
+    }
+    const auto given = spline.parameters.find(std::string(key));
+    return given == spline.parameters.end() ? found->neutral : given->second;
+}
+
+void completeParameters(Spline& spline) {
+    for (const auto& parameter : familyOf(spline).parameters) {
+        spline.parameters.try_emplace(std::string(parameter.key), parameter.neutral);
+    }
+}
+
+bool knotsFollowPoints(const Spline& spline) {
+    return familyOf(spline).spacing != Spacing::uniform && spline.knots.empty() &&
+           parameterOf(spline, "alpha") != 0;
+}
+
+Layout layoutOf(const Spline& spline, std::size_t points) {
+    return familyOf(spline).layout({parametersOf(spline), points, !spline.local.empty()});
+}
+
+std::size_t fewestPoints(const Spline& spline) {
+    Spline trial = spline;
+    if (!trial.knots.empty()) { // which belong to another number of points
+        trial.knots.clear();
+        trial.ends = Ends::open;
+    }
+    Points points(1);
+    do {
+        points.append(Point(1));
+    } while (arrangementOf(trial, points).pieces() == 0);
+    return points.size();
+}
+
+Pieces piecesOf(const Spline& spline, const PointsView& points, const PointsView& tangents) {
+    refuse(problemOf(spline, points, tangents));
+    return blended(spline, points, tangents);
+}
+
+Pieces piecesOf(const Curve& curve) {
+    refuse(problemOf(curve));
+    return blended(curve, curve.points, curve.tangents);
+}
+
+BlendPieces blendsOf(const Spline& spline, const PointsView& points, const PointsView& tangents) {
+    refuse(problemOf(spline, points, tangents));
+    const auto arrangement = arrangementOf(spline, points);
+    const auto& layout = arrangement.layout;
+    const auto n = points.size();
+    if (arrangement.pieces() == 0) {
+        return {layout.degree, n, {}, {}, layout.form};
+    }
+    const auto& family = familyOf(spline);
+    const auto settings = settingsOf(spline, arrangement);
+    const auto own = weighted<Blend>(arrangement.places, unitBlends(0, n), settings.weights);
+    std::vector<Blend> ownTangents;
+    if (family.usesTangents) {
+        ownTangents = arranged<Blend>(arrangement.places, unitBlends(n, n));
+    }
+    std::vector<Blend> bezier(bezierPoints(arrangement));
+    family.blendRecipes(inputFor<Blend>(spline, arrangement, settings, own, ownTangents),
+                        {0, arrangement.pieces()}, bezier);
+    return {layout.degree, n, arrangement.joints, std::move(bezier), layout.form};
 }
 
 BlendPieces blendsOf(const Curve& curve) {
-    const auto arrangement = arrangementOf(curve);
-    const auto n = curve.points.size();
-    if (arrangement.pieces == 0) {
-        return {arrangement.layout.degree, n, {}, {}};
-    }
-    const auto& family = familyOf(curve);
-    const auto parameters = parametersOf(curve);
-    const auto points = arranged<Blend>(arrangement.places, unitBlends(0, n));
-    std::vector<Blend> tangents;
-    if (family.usesTangents) {
-        tangents = arranged<Blend>(arrangement.places, unitBlends(n, n));
-    }
-    std::vector<Blend> bezier(arrangement.pieces *
-                              (static_cast<std::size_t>(arrangement.layout.degree) + 1));
-    family.blendRecipes(inputFor<Blend>(curve, arrangement, points, tangents, parameters),
-                        {0, arrangement.pieces}, bezier);
-    return {arrangement.layout.degree, n, arrangement.joints, std::move(bezier)};
+    return blendsOf(curve, curve.points, curve.tangents);
 }
 
 std::size_t controlAtStart(const Curve& curve, std::size_t segment) {
-    const auto arrangement = arrangementOf(curve);
-    const auto& layout = arrangement.layout;
-    const auto at =
-        segment * static_cast<std::size_t>(layout.stride) + static_cast<std::size_t>(layout.lead);
-    if (arrangement.places.empty()) {
+    const auto arrangement = arrangementOf(curve, curve.points);
+    const auto& places = arrangement.places;
+    if (places.empty()) {
         return 0;
     }
-    return arrangement.places[std::min(at, arrangement.places.size() - 1)].control;
+    const auto window =
+        segment < arrangement.pieces() ? arrangement.windows[segment] : places.size();
+    const auto at = window + static_cast<std::size_t>(arrangement.layout.lead);
+    return places[std::min(at, places.size() - 1)].control;
 }
 
 std::vector<double> abscissae(const Curve& curve) {
-    const auto arrangement = arrangementOf(curve);
+    const auto arrangement = arrangementOf(curve, curve.points);
     const auto& layout = arrangement.layout;
     const auto& knots = arrangement.knots;
     const auto degree = static_cast<std::size_t>(layout.degree);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/spline/blend.h"
+#include "core/spline/piece.h"
 
 #include <cstddef>
 #include <span>
@@ -39,6 +40,7 @@ struct Parameter {
     double neutral;                 ///< value without effect, or the usual one; also the default
     Scale scale;
     std::string_view meaning; ///< which way it pulls, and what the neutral value is
+    bool local = false;       ///< may have a value of its own at each control point
 };
 
 /// How pieces read the control points: piece i reads `window` points in a row, beginning `stride`
@@ -49,6 +51,14 @@ struct Layout {
     int window = 2;
     int stride = 1;
     int lead = 0;
+    Form form = Form::polynomial;
+};
+
+/// What a layout depends on.
+struct Extent {
+    std::span<const double> parameters; ///< in the order of the family's description
+    std::size_t points = 0;
+    bool local = false; ///< a parameter has a value of its own at each control point
 };
 
 /// What a family is given to blend. The ends have been arranged already: `points` includes the
@@ -59,8 +69,18 @@ template <Blendable T> struct Input {
     /// Parameter values. One a point; for B-splines the knots, points + degree + 1 of them.
     std::span<const double> knots;
     std::span<const double> parameters; ///< in the order of the family's description
+    /// For each parameter its values at the points, or none where it has the same everywhere.
+    std::span<const std::vector<double>> local;
+    /// Where the window of each piece begins among the points.
+    std::span<const std::size_t> windows;
     Layout layout;
     bool closed = false; ///< the first point stands again at the end of `points`
+
+    /// The value of a parameter at a point.
+    double parameterAt(std::size_t parameter, std::size_t point) const {
+        return local.empty() || local[parameter].empty() ? parameters[parameter]
+                                                         : local[parameter][point];
+    }
 };
 
 /// The pieces [first, last) of a curve.
@@ -69,7 +89,8 @@ struct PieceRange {
     std::size_t size() const { return last - first; }
 };
 
-/// Fills `bezier` with the (degree + 1) Bézier points of each piece of the range.
+/// Fills `bezier` with the (degree + 1) Bézier points of each piece of the range; in rational form
+/// each of them times its weight, which is what the same blending makes of points that are all 1.
 template <Blendable T>
 using Blending = void (*)(const Input<T>& input, PieceRange range, std::span<T> bezier);
 
@@ -77,7 +98,7 @@ using Blending = void (*)(const Input<T>& input, PieceRange range, std::span<T> 
 enum class Spacing {
     uniform,   ///< joints at whole numbers
     chord,     ///< chord length to the power of the parameter `alpha`
-    knotVector ///< a B-spline's knots
+    knotVector ///< a B-spline's knots: given, or chord lengths to the power `alpha`
 };
 
 /// One entry of the catalog.
@@ -90,22 +111,24 @@ struct Family {
     std::vector<Ends> ends; ///< those it accepts, the usual one first; {none} where it needs none
     bool closable = true;
     bool usesTangents = false;
-    bool hasHandles = false; ///< of every three points the first is an anchor, the others handles
+    bool usesKnots = false;   ///< may be given its knots
+    bool usesWeights = false; ///< each control point has a weight
+    bool hasHandles = false;  ///< of every three points the first is an anchor, the others handles
     std::size_t mostPoints = 1'000'000;
     Spacing spacing = Spacing::uniform;
 
-    Layout (*layout)(std::span<const double> parameters, std::size_t points) = nullptr;
+    Layout (*layout)(const Extent& extent) = nullptr;
     Blending<double> blendCoordinates = nullptr;
     Blending<Blend> blendRecipes = nullptr;
 };
 
-/// A family whose pieces each look only at their own window: `Rule::piece(input, window, bezier)`
-/// is given the window's points and fills in one piece.
+/// A family whose pieces each look only at their own window: `Rule::piece(input, first, bezier)` is
+/// told where the window begins among the points and fills in one piece.
 template <class Rule, Blendable T>
 void blendLocally(const Input<T>& input, PieceRange range, std::span<T> bezier) {
     const auto count = static_cast<std::size_t>(input.layout.degree) + 1;
     for (std::size_t i = range.first; i < range.last; ++i) {
-        Rule::piece(input, i, bezier.subspan((i - range.first) * count, count));
+        Rule::piece(input, input.windows[i], bezier.subspan((i - range.first) * count, count));
     }
 }
 
@@ -125,16 +148,16 @@ template <class Rule> Family globalFamily(Family description) {
 }
 
 /// Layout of a single piece that takes all points.
-inline Layout onePiece(std::span<const double>, std::size_t points) {
-    const int n = points < 2 ? 2 : static_cast<int>(points);
+inline Layout onePiece(const Extent& extent) {
+    const int n = extent.points < 2 ? 2 : static_cast<int>(extent.points);
     return {n - 1, n, n, 0};
 }
 /// Layout of the local cubics: the piece between the middle two of each four points.
-inline Layout fourPointCubic(std::span<const double>, std::size_t) {
+inline Layout fourPointCubic(const Extent&) {
     return {3, 4, 1, 1};
 }
 /// Layout of cubics from point to point that need no other.
-inline Layout twoPointCubic(std::span<const double>, std::size_t) {
+inline Layout twoPointCubic(const Extent&) {
     return {3, 2, 1, 0};
 }
 

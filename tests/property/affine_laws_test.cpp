@@ -33,11 +33,6 @@ Point turned(const Point& p) {
     return result;
 }
 
-/// Whether chord lengths shape the curve; then only similarities move the curve with its points.
-bool readsChords(const Curve& curve) {
-    return familyOf(curve).spacing == Spacing::chord && curve.parameters.at("alpha") != 0;
-}
-
 template <class Map> Curve mapped(const Curve& curve, Map map, const Point& shift) {
     Curve result = curve;
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -96,7 +91,7 @@ TEST_P(Affine, turnsAndGrowsWithItsPoints) {
 
 TEST_P(Affine, shearsWithItsPoints) {
     forEveryForm(GetParam(), rounds, [](const Curve& curve) {
-        if (!readsChords(curve)) {
+        if (!knotsFollowPoints(curve)) {
             expectCommutes(curve, sheared, Point(curve.points.dimension()), 3);
         }
     });
@@ -104,7 +99,7 @@ TEST_P(Affine, shearsWithItsPoints) {
 
 TEST_P(Affine, doublesExactly) {
     forEveryForm(GetParam(), rounds, [](const Curve& curve) {
-        if (readsChords(curve)) {
+        if (knotsFollowPoints(curve)) {
             return; // powers of chords round
         }
         const auto doubled = [](const Point& p) { return 2.0 * p; };
@@ -118,7 +113,7 @@ TEST_P(Affine, doublesExactly) {
 
 TEST_P(Affine, splinesEachCoordinateByItself) {
     forEveryForm(GetParam(), rounds, [](const Curve& curve) {
-        if (readsChords(curve)) {
+        if (knotsFollowPoints(curve)) {
             return; // the chords of one coordinate are others
         }
         const Pieces together = piecesOf(curve);

@@ -1,5 +1,6 @@
 // The description of a curve: what is refused and in which words, its knots, and its speed.
 #include "core/spline/curve.h"
+#include "core/spline/problem.h"
 
 #include "core/spline/catalog.h"
 #include "core/spline/traits.h"

@@ -9,8 +9,8 @@ namespace {
 
 struct BezierSpline {
     template <Blendable T>
-    static void piece(const Input<T>& input, std::size_t i, std::span<T> bezier) {
-        std::ranges::copy(input.points.subspan(3 * i, 4), bezier.begin());
+    static void piece(const Input<T>& input, std::size_t first, std::span<T> bezier) {
+        std::ranges::copy(input.points.subspan(first, 4), bezier.begin());
     }
 };
 
@@ -24,7 +24,7 @@ Family bezierSpline() {
         .source = "Bézier 1962",
         .ends = {Ends::none},
         .hasHandles = true,
-        .layout = [](std::span<const double>, std::size_t) { return Layout{3, 4, 3, 0}; },
+        .layout = [](const Extent&) { return Layout{3, 4, 3, 0}; },
     });
 }
 

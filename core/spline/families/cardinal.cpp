@@ -9,9 +9,9 @@ namespace {
 struct Cardinal {
     template <Blendable T>
     static void piece(const Input<T>& input, std::size_t i, std::span<T> bezier) {
-        const double a = input.parameters[0];
         const auto p = input.points.subspan(i, 4);
-        hermiteToBezier<T>(p[1], a * (p[2] - p[0]), a * (p[3] - p[1]), p[2], bezier);
+        hermiteToBezier<T>(p[1], input.parameterAt(0, i + 1) * (p[2] - p[0]),
+                           input.parameterAt(0, i + 2) * (p[3] - p[1]), p[2], bezier);
     }
 };
 
@@ -33,7 +33,8 @@ Family cardinal() {
                         .sliderMost = 2,
                         .neutral = 0.5,
                         .scale = Scale::linear,
-                        .meaning = "½ is Catmull-Rom, 0 is straight; larger bends more sharply"}},
+                        .meaning = "½ is Catmull-Rom, 0 is straight; larger bends more sharply",
+                        .local = true}},
         .ends = {Ends::doubled, Ends::open, Ends::reflected},
         .layout = fourPointCubic,
     });

@@ -9,15 +9,18 @@ namespace {
 struct KochanekBartels {
     template <Blendable T>
     static void piece(const Input<T>& input, std::size_t i, std::span<T> bezier) {
-        const double t = input.parameters[0];
-        const double c = input.parameters[1];
-        const double b = input.parameters[2];
         const auto p = input.points.subspan(i, 4);
-        const T leaving = 0.5 * (1 - t) * (1 + c) * (1 + b) * (p[1] - p[0]) +
-                          0.5 * (1 - t) * (1 - c) * (1 - b) * (p[2] - p[1]);
-        const T arriving = 0.5 * (1 - t) * (1 - c) * (1 + b) * (p[2] - p[1]) +
-                           0.5 * (1 - t) * (1 + c) * (1 - b) * (p[3] - p[2]);
-        hermiteToBezier<T>(p[1], leaving, arriving, p[2], bezier);
+        hermiteToBezier<T>(p[1], tangent(input, i + 1, 1), tangent(input, i + 2, -1), p[2], bezier);
+    }
+
+    /// The tangent at a point with which the curve leaves it (side 1) or arrives there (side -1).
+    template <Blendable T> static T tangent(const Input<T>& input, std::size_t at, int side) {
+        const double t = input.parameterAt(0, at);
+        const double c = side * input.parameterAt(1, at);
+        const double b = input.parameterAt(2, at);
+        const auto p = input.points.subspan(at - 1, 3);
+        return 0.5 * (1 - t) * (1 + c) * (1 + b) * (p[1] - p[0]) +
+               0.5 * (1 - t) * (1 - c) * (1 - b) * (p[2] - p[1]);
     }
 };
 
@@ -32,7 +35,8 @@ Parameter knob(std::string_view key, std::string_view label, std::string_view sy
             .sliderMost = 1,
             .neutral = 0,
             .scale = Scale::linear,
-            .meaning = meaning};
+            .meaning = meaning,
+            .local = true};
 }
 
 } // namespace

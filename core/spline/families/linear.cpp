@@ -21,7 +21,7 @@ Family linear() {
         .summary = "Straight lines from point to point: the control polygon itself.",
         .source = "Euclid, Elements I",
         .ends = {Ends::none},
-        .layout = [](std::span<const double>, std::size_t) { return Layout{1, 2, 1, 0}; },
+        .layout = [](const Extent&) { return Layout{1, 2, 1, 0}; },
     });
 }
 

@@ -8,9 +8,9 @@ namespace {
 
 struct ParametricParabola {
     template <Blendable T>
-    static void piece(const Input<T>& input, std::size_t i, std::span<T> bezier) {
+    static void piece(const Input<T>& input, std::size_t first, std::span<T> bezier) {
         const double mu = input.parameters[0];
-        const auto p = input.points.subspan(2 * i, 3);
+        const auto p = input.points.subspan(first, 3);
         bezier[0] = p[0];
         bezier[2] = p[2];
         // What P1 = (1 - mu)^2 P0 + 2 mu (1 - mu) B1 + mu^2 P2 asks of the middle Bézier point.
@@ -42,7 +42,7 @@ Family parametricParabola() {
               .meaning =
                   "½ shares the time evenly; (x₁ − x₀) / (x₂ − x₀) makes three points y = f(x)"}},
         .ends = {Ends::none},
-        .layout = [](std::span<const double>, std::size_t) { return Layout{2, 3, 2, 0}; },
+        .layout = [](const Extent&) { return Layout{2, 3, 2, 0}; },
     });
 }
 

@@ -1,0 +1,31 @@
+// What may be wrong with a curve, said before anything is computed from it.
+#pragma once
+
+#include "core/spline/curve.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace splineloft {
+
+/// What is wrong with a value, where, and what would be right.
+struct Problem {
+    std::string place; ///< JSON pointer from the curve, e.g. "/points/3"
+    std::string what;
+    std::string remedy;
+};
+
+/// One token of a JSON pointer, with its slash: ~ and / escaped, shortened where it is very long.
+std::string pointerToken(std::string_view key);
+std::string pointerToken(std::size_t index);
+
+/// The first thing that keeps a spline through these points from being drawn, if any. Too few
+/// points are no fault: such a curve has no pieces yet.
+std::optional<Problem> problemOf(const Spline& spline, const PointsView& points,
+                                 const PointsView& tangents = {});
+
+/// The same of a curve and the names of its coordinates.
+std::optional<Problem> problemOf(const Curve& curve);
+
+} // namespace splineloft
