@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# Runs every test: ./test.sh [quick]
+# Runs every test: ./test.sh [quick], or the benchmark: ./test.sh bench
 #
 # First the release build with all tests, then the tests that open no window once more under
 # AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer. `quick` leaves the second out.
 # The last line counts both together. With CI=true a check that lacks its tool fails, not skips.
+#
+# `bench` instead measures the library beside its peers, for about two minutes. What it prints is
+# for reading: a goal that is missed on a busy machine is no failed test.
 set -euo pipefail
 
 # shellcheck source=tools/setup.sh
@@ -46,11 +49,25 @@ run_tests() {
     fi
 }
 
+# Builds the benchmark and runs it; prints its table, and what CMake did not find for it.
+run_bench() {
+    say "== bench: building"
+    configure bench
+    sed -n '/^CMake Warning/,/^$/p' "$(build_folder bench)/configure.log"
+    build bench bench
+    "$(build_folder bench)/tests/bench/bench"
+}
+
 case "$*" in
 '') presets=(release sanitize) ;;
 quick) presets=(release) ;;
+bench)
+    set_up_for_bench
+    run_bench
+    exit
+    ;;
 *)
-    printf 'usage: test.sh [quick]\n' >&2
+    printf 'usage: test.sh [quick|bench]\n' >&2
     exit 2
     ;;
 esac

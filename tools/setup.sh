@@ -30,6 +30,11 @@ readonly packages_to_test=(
 )
 # One fixed version, for versions format differently; installed where the distribution has it.
 readonly packages_to_test_if_available=(clang-format-19)
+# The benchmark compares with these; one that a distribution lacks is left out of the table.
+readonly packages_to_bench=(libbenchmark-dev)
+readonly packages_to_bench_if_available=(
+    libglm-dev libeigen3-dev libgsl-dev libboost-dev libsisl-dev lib2geom-dev
+)
 
 say() { printf '%s\n' "$*"; }
 
@@ -139,6 +144,12 @@ set_up_for_running() {
 set_up_for_tests() {
     install_packages "${packages_to_build[@]}" "${packages_to_run[@]}" "${packages_to_test[@]}" \
         -- "${packages_to_test_if_available[@]}"
+    require_build_tools
+}
+
+set_up_for_bench() {
+    install_packages "${packages_to_build[@]}" "${packages_to_bench[@]}" \
+        -- "${packages_to_bench_if_available[@]}"
     require_build_tools
 }
 

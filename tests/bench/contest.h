@@ -59,8 +59,8 @@ struct Row {
     std::string_view id;   ///< as in the names of the benchmarks
     std::string_view work; ///< for people; at most 38 characters
     std::size_t items = 1; ///< points, curves or queries of one pass
-    std::vector<std::string_view> peers;
-    std::vector<Goal> goals;
+    std::vector<std::string_view> peers = {};
+    std::vector<Goal> goals = {};
     double kurbo = 0; ///< ns an item where the goals were measured; 0 where kurbo takes no part
 };
 
@@ -89,8 +89,8 @@ double deviation(std::span<const Number> found, std::span<const long double> ref
     return static_cast<double>(worst / size);
 }
 
-/// The usual trial: `fill` writes numbers, which are then compared with the reference. The reference
-/// must outlive the trial. `more` is how many numbers are written beyond it.
+/// The usual trial: `fill` writes numbers, which are then compared with the reference. The
+/// reference must outlive the trial. `more` is how many numbers are written beyond it.
 template <class Number, class Fill>
 Trial filling(const std::vector<long double>& reference, Fill fill, std::size_t more = 0) {
     const auto numbers = std::make_shared<std::vector<Number>>(
@@ -101,10 +101,7 @@ Trial filling(const std::vector<long double>& reference, Fill fill, std::size_t 
                     benchmark::DoNotOptimize(numbers->data());
                     benchmark::ClobberMemory();
                 },
-            .error =
-                [numbers, &reference] {
-                    return deviation<Number>(*numbers, reference);
-                }};
+            .error = [numbers, &reference] { return deviation<Number>(*numbers, reference); }};
 }
 
 } // namespace splineloft::bench

@@ -10,10 +10,12 @@ namespace {
 /// So many that the samples fit a second-level cache.
 constexpr std::size_t piecesInCache = 64;
 
-UniformCubic makeUniformCubic(int dimension) {
+template <class Number> UniformCubic makeUniformCubic(int dimension) {
     const auto d = static_cast<std::size_t>(dimension);
     UniformCubic work{.dimension = dimension, .pieces = piecesInCache};
-    work.points = Dice(1).coarse((work.pieces + 3) * d, -4, 4);
+    for (const double number : Dice(1).between((work.pieces + 3) * d, -4, 4)) {
+        work.points.push_back(static_cast<double>(static_cast<Number>(number)));
+    }
     work.bezier = bezierOfCatmullRom(work.points, dimension);
     for (std::size_t piece = 0; piece < work.pieces; ++piece) {
         for (std::size_t k = 0; k < work.perPiece; ++k) {
@@ -38,9 +40,14 @@ template <class Number> Trial ourDense(const UniformCubic& work) {
 } // namespace
 
 const UniformCubic& uniformCubic(int dimension) {
-    static const auto plane = makeUniformCubic(2);
-    static const auto space = makeUniformCubic(3);
+    static const auto plane = makeUniformCubic<double>(2);
+    static const auto space = makeUniformCubic<double>(3);
     return dimension == 2 ? plane : space;
+}
+
+const UniformCubic& uniformCubicOfFloats() {
+    static const auto plane = makeUniformCubic<float>(2);
+    return plane;
 }
 
 void addDense(Contest& contest) {
@@ -63,7 +70,7 @@ void addDense(Contest& contest) {
                             .peers = {"glm", "Boost"},
                             .goals = {TimesAsFastAs{"glm", 6}}});
     contest.entries.push_back(
-        {"dense-2f", ourName, [] { return ourDense<float>(uniformCubic(2)); }});
+        {"dense-2f", ourName, [] { return ourDense<float>(uniformCubicOfFloats()); }});
     contest.entries.push_back(
         {"dense-2d", ourName, [] { return ourDense<double>(uniformCubic(2)); }});
     contest.entries.push_back(

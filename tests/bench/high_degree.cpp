@@ -9,7 +9,7 @@ namespace {
 
 HighDegree makeHighDegree() {
     HighDegree work;
-    work.bezier = Dice(4).coarse(2 * static_cast<std::size_t>(work.degree + 1), -4, 4);
+    work.bezier = Dice(4).between(2 * static_cast<std::size_t>(work.degree + 1), -4, 4);
     for (std::size_t k = 0; k < work.samples; ++k) {
         const auto u = static_cast<long double>(k) / static_cast<long double>(work.samples);
         for (std::size_t c = 0; c < 2; ++c) {

@@ -26,7 +26,7 @@ std::size_t bytesBeyondCaches() {
 
 UniformCubic makeLargeCubic() {
     UniformCubic work{.pieces = bytesBeyondCaches() / bytesAPiece, .perPiece = samplesAPiece};
-    work.points = Dice(2).coarse((work.pieces + 3) * 2, -4, 4);
+    work.points = Dice(2).between((work.pieces + 3) * 2, -4, 4);
     return work;
 }
 
@@ -45,8 +45,8 @@ double deviationOfSome(std::span<const double> found, const UniformCubic& work) 
     std::vector<double> some;
     References right;
     for (std::size_t i = 0; i < work.pieces * work.perPiece; i += step) {
-        const auto u = static_cast<long double>(i % work.perPiece) /
-                       static_cast<long double>(work.perPiece);
+        const auto u =
+            static_cast<long double>(i % work.perPiece) / static_cast<long double>(work.perPiece);
         for (std::size_t c = 0; c < 2; ++c) {
             some.push_back(found[2 * i + c]);
             right.push_back(catmullRom(&work.points[i / work.perPiece * 2 + c], 2, u).value);

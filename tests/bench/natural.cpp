@@ -18,8 +18,8 @@ Graph makeGraph(std::size_t size, double leastStep) {
     double x = 0;
     for (std::size_t i = 0; i < size; ++i) {
         work.x.push_back(x);
-        work.y.push_back(dice.coarse(-1, 1));
-        x += dice.coarse(leastStep, 2 - leastStep);
+        work.y.push_back(dice.between(-1, 1));
+        x += dice.between(leastStep, 2 - leastStep);
     }
     const NaturalReference right(work.x, work.y);
     for (std::size_t i = 0; i < askedCount; ++i) {
@@ -45,8 +45,7 @@ Trial ourBuild(const Graph& work) {
                 [built, &work] {
                     std::vector<double> found(askedOfBuilt);
                     (*built)(std::span(work.asked).first(askedOfBuilt), found);
-                    return deviation<double>(found,
-                                             std::span(work.answers).first(askedOfBuilt));
+                    return deviation<double>(found, std::span(work.answers).first(askedOfBuilt));
                 }};
 }
 

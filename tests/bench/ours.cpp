@@ -7,6 +7,17 @@
 
 #include <memory>
 
+// Entrances that are on their way are taken as soon as they are there. Without the first, single
+// evaluations stand in for it; without the second, the table says that it is not there.
+#if __has_include("core/spline/dense.h")
+#include "core/spline/dense.h"
+#define BENCH_HAS_DENSE
+#endif
+#if __has_include("core/spline/natural_function.h")
+#include "core/spline/natural_function.h"
+#define BENCH_HAS_NATURAL_FUNCTION
+#endif
+
 namespace splineloft::bench::ours {
 namespace {
 
@@ -23,20 +34,6 @@ Curve curveOf(std::span<const double> points, int dimension, const char* family,
         curve.points.append(Point(points.subspan(i, stride)));
     }
     return curve;
-}
-
-template <class Number>
-void writePositions(const Pieces& pieces, std::size_t perPiece, std::span<Number> out) {
-    auto* next = out.data();
-    for (std::size_t segment = 0; segment < pieces.size(); ++segment) {
-        for (std::size_t k = 0; k < perPiece; ++k) {
-            const double u = static_cast<double>(k) / static_cast<double>(perPiece);
-            const auto position = pieces.position({segment, u});
-            for (int c = 0; c < pieces.dimension(); ++c) {
-                *next++ = static_cast<Number>(position[c]);
-            }
-        }
-    }
 }
 
 } // namespace
@@ -64,6 +61,63 @@ Pieces clampedBSpline(std::span<const double> points, int degree) {
     return piecesOf(curve);
 }
 
+PositionsAt positionsAt(const Pieces& pieces) {
+    return [pieces](std::span<const double> t, std::span<double> out) {
+        for (std::size_t i = 0; i < t.size(); ++i) {
+            const auto position = pieces.position(pieces.knots().locate(t[i]));
+            out[2 * i] = position[0];
+            out[2 * i + 1] = position[1];
+        }
+    };
+}
+
+#ifdef BENCH_HAS_DENSE
+std::size_t positionsSize(const Pieces& pieces, std::size_t perPiece) {
+    return placesPerPiece(pieces, perPiece) * static_cast<std::size_t>(pieces.dimension());
+}
+
+void positions(const Pieces& pieces, std::size_t perPiece, std::span<double> out) {
+    positionsPerPiece(pieces, perPiece, out);
+}
+
+void positions(const Pieces& pieces, std::size_t perPiece, std::span<float> out) {
+    positionsPerPiece(pieces, perPiece, out);
+}
+
+Jets jets(const Pieces& pieces, std::size_t perPiece) {
+    const auto table = std::make_shared<DenseJets>();
+    return {.run = [pieces, perPiece, table] { jetsPerPiece(pieces, perPiece, *table); },
+            .result =
+                [table] {
+                    std::vector<double> numbers;
+                    for (std::size_t i = 0; i < table->curvatures.size(); ++i) {
+                        numbers.insert(numbers.end(),
+                                       {table->positions[2 * i], table->positions[2 * i + 1],
+                                        table->firsts[2 * i], table->firsts[2 * i + 1],
+                                        table->curvatures[i]});
+                    }
+                    return numbers;
+                }};
+}
+#else
+namespace {
+
+template <class Number>
+void writePositions(const Pieces& pieces, std::size_t perPiece, std::span<Number> out) {
+    auto* next = out.data();
+    for (std::size_t segment = 0; segment < pieces.size(); ++segment) {
+        for (std::size_t k = 0; k < perPiece; ++k) {
+            const double u = static_cast<double>(k) / static_cast<double>(perPiece);
+            const auto position = pieces.position({segment, u});
+            for (int c = 0; c < pieces.dimension(); ++c) {
+                *next++ = static_cast<Number>(position[c]);
+            }
+        }
+    }
+}
+
+} // namespace
+
 std::size_t positionsSize(const Pieces& pieces, std::size_t perPiece) {
     return pieces.size() * perPiece * static_cast<std::size_t>(pieces.dimension());
 }
@@ -74,16 +128,6 @@ void positions(const Pieces& pieces, std::size_t perPiece, std::span<double> out
 
 void positions(const Pieces& pieces, std::size_t perPiece, std::span<float> out) {
     writePositions(pieces, perPiece, out);
-}
-
-PositionsAt positionsAt(const Pieces& pieces) {
-    return [pieces](std::span<const double> t, std::span<double> out) {
-        for (std::size_t i = 0; i < t.size(); ++i) {
-            const auto position = pieces.position(pieces.knots().locate(t[i]));
-            out[2 * i] = position[0];
-            out[2 * i + 1] = position[1];
-        }
-    };
 }
 
 Jets jets(const Pieces& pieces, std::size_t perPiece) {
@@ -106,7 +150,20 @@ Jets jets(const Pieces& pieces, std::size_t perPiece) {
                     return numbers;
                 }};
 }
+#endif
 
+#ifdef BENCH_HAS_NATURAL_FUNCTION
+bool hasNaturalGraph() {
+    return true;
+}
+
+GraphAt naturalGraph(std::span<const double> x, std::span<const double> y) {
+    const auto function = std::make_shared<NaturalFunction>(x, y);
+    return [function](std::span<const double> places, std::span<double> out) {
+        function->evaluate(places, out);
+    };
+}
+#else
 bool hasNaturalGraph() {
     return false;
 }
@@ -114,6 +171,7 @@ bool hasNaturalGraph() {
 GraphAt naturalGraph(std::span<const double>, std::span<const double>) {
     return {};
 }
+#endif
 
 double length(const Pieces& pieces) {
     return ArcLength(pieces).total();

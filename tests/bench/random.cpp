@@ -28,9 +28,8 @@ RandomSpots makeRandomSpots() {
 Trial ourRandom() {
     const auto& work = randomSpots();
     const auto positionsAt = ours::positionsAt(ours::catmullRom(uniformCubic(2).points, 2));
-    return filling<double>(work.positions, [positionsAt, &work](std::span<double> out) {
-        positionsAt(work.t, out);
-    });
+    return filling<double>(
+        work.positions, [positionsAt, &work](std::span<double> out) { positionsAt(work.t, out); });
 }
 
 } // namespace

@@ -7,14 +7,10 @@
 
 namespace splineloft::bench {
 
-double Dice::coarse(double low, double high) {
-    return std::round(between(low, high) * 1024) / 1024;
-}
-
-std::vector<double> Dice::coarse(std::size_t count, double low, double high) {
+std::vector<double> Dice::between(std::size_t count, double low, double high) {
     std::vector<double> values(count);
     for (auto& value : values) {
-        value = coarse(low, high);
+        value = between(low, high);
     }
     return values;
 }

@@ -13,15 +13,13 @@ class Dice {
   public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}
     /// 0 <= number < 1.
-    double part() { return static_cast<double>(engine_()) * 0x1p-32; }
+    double part() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * part(); }
-    /// A multiple of 1/1024, which float has exactly.
-    double coarse(double low, double high);
-    /// `count` of them.
-    std::vector<double> coarse(std::size_t count, double low, double high);
+    /// `count` numbers.
+    std::vector<double> between(std::size_t count, double low, double high);
 
   private:
-    std::mt19937 engine_;
+    std::mt19937_64 engine_;
 };
 
 /// Value and derivatives of one coordinate.
@@ -41,8 +39,8 @@ Taylor bezier(const double* p, std::size_t stride, int degree, long double u);
 long double deBoor(const double* points, std::size_t stride, std::span<const double> knots,
                    int degree, std::size_t piece, long double t);
 
-/// Length of a plane cubic Bézier piece from u = 0 to `end`, to about 1e-16 of it or better: 16-point Gauss
-/// panels, halved until both halves agree with the whole.
+/// Length of a plane cubic Bézier piece from u = 0 to `end`, to about 1e-16 of it or better:
+/// 16-point Gauss panels, halved until both halves agree with the whole.
 long double cubicLength(const double* bezier, long double end = 1);
 
 /// The natural spline through y over rising x.

@@ -1,6 +1,5 @@
 // What there is to do: the inputs of each row, the same for every program, and the right answers in
-// long double. All are made on first use, from fixed seeds. Control points are multiples of 1/1024,
-// so that float has them exactly.
+// long double. All are made on first use, from fixed seeds.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +16,16 @@ struct UniformCubic {
     int dimension = 2;
     std::size_t pieces = 0;
     std::size_t perPiece = 256;
-    Coordinates points; ///< pieces + 3
-    Coordinates bezier; ///< the same curve: 4 points a piece
-    References positions;
+    Coordinates points = {}; ///< pieces + 3
+    Coordinates bezier = {}; ///< the same curve: 4 points a piece
+    References positions = {};
 };
 const UniformCubic& uniformCubic(int dimension); // 2 or 3
+/// One in the plane whose control points float has exactly.
+const UniformCubic& uniformCubicOfFloats();
 
-/// Position, first derivative by u and curvature at the samples of uniformCubic(2): x, y, x', y', k.
+/// Position, first derivative by u and curvature at the samples of uniformCubic(2): x, y, x', y',
+/// k.
 const References& uniformCubicJets();
 /// Deviation of such jets, each of the three in units of its own largest value.
 double deviationOfJets(const std::vector<double>& jets);
@@ -33,8 +35,8 @@ const UniformCubic& largeCubic();
 
 /// Parameter values 0 <= t < pieces all over uniformCubic(2), in no order.
 struct RandomSpots {
-    std::vector<double> t;
-    References positions;
+    std::vector<double> t = {};
+    References positions = {};
 };
 const RandomSpots& randomSpots();
 
@@ -42,17 +44,17 @@ const RandomSpots& randomSpots();
 struct HighDegree {
     int degree = 20;
     std::size_t samples = 4096;
-    Coordinates bezier;
-    References positions;
+    Coordinates bezier = {};
+    References positions = {};
 };
 const HighDegree& highDegree();
 
 /// y over rising x, for a natural spline, and where it is asked for.
 struct Graph {
-    std::vector<double> x, y;
-    std::vector<double> asked; ///< in no order
-    References answers;
-    double step = 0;                               ///< of x where it is even, or 0
+    std::vector<double> x = {}, y = {};
+    std::vector<double> asked = {}; ///< in no order
+    References answers = {};
+    double step = 0;                         ///< of x where it is even, or 0
     double slopeAtStart = 0, slopeAtEnd = 0; ///< of the natural spline
 };
 const Graph& smallGraph();     ///< 10^4 points
@@ -64,8 +66,8 @@ inline constexpr std::size_t askedOfBuilt = 1000;
 /// Single cubics in the plane, 4 Bézier points each, some of them with near cusps.
 struct RandomCubics {
     std::size_t count = 5000;
-    Coordinates bezier;
-    References lengths;
+    Coordinates bezier = {};
+    References lengths = {};
 };
 const RandomCubics& randomCubics();
 /// The largest relative error of any one length.
@@ -75,8 +77,8 @@ double deviationOfLengths(const std::vector<double>& lengths);
 struct EvenWalk {
     std::size_t count = 1000;
     std::size_t pieces = 0;
-    Coordinates bezier; ///< 4 points a piece
-    References positions;
+    Coordinates bezier = {}; ///< 4 points a piece
+    References positions = {};
 };
 const EvenWalk& evenWalk();
 
@@ -85,18 +87,18 @@ struct ClampedBSpline {
     int degree = 3;
     std::size_t pieces = 0;
     std::size_t perPiece = 256;
-    Coordinates points; ///< pieces + degree
-    std::vector<double> knots;
-    References positions; ///< at u = k / perPiece of each piece
+    Coordinates points = {}; ///< pieces + degree
+    std::vector<double> knots = {};
+    References positions = {}; ///< at u = k / perPiece of each piece
 };
 const ClampedBSpline& clampedBSpline(int degree); // 3 or 5
 
 /// A clamped cubic B-spline of a thousand pieces, and places around it.
 struct Surroundings {
-    ClampedBSpline spline; ///< without positions
-    Coordinates bezier;    ///< the same curve: 4 points a piece
-    std::vector<double> places;
-    References distances;
+    ClampedBSpline spline = {}; ///< without positions
+    Coordinates bezier = {};    ///< the same curve: 4 points a piece
+    std::vector<double> places = {};
+    References distances = {};
 };
 const Surroundings& surroundings();
 /// How much farther away than the nearest spot the spots at these parameters t are at worst, in
