@@ -1,0 +1,35 @@
+# `cmake --install`: the library with its headers, for find_package(splineloft) and for pkg-config,
+# and the program where it was built.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(headers ${CMAKE_INSTALL_INCLUDEDIR}/splineloft)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/splineloft)
+
+# What a user may include; how we write JSON and how families blend is our own affair.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${headers}
+        FILES_MATCHING PATTERN "*.h"
+        PATTERN "families" EXCLUDE PATTERN "lanes" EXCLUDE PATTERN "convert" EXCLUDE
+        PATTERN "arrangement.h" EXCLUDE PATTERN "json_tape.h" EXCLUDE
+        PATTERN "json_text.h" EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/core/splineloft.h DESTINATION ${headers})
+install(TARGETS splineloft_core EXPORT splineloft ARCHIVE)
+install(EXPORT splineloft NAMESPACE splineloft:: DESTINATION ${package})
+if(SPLINELOFT_APP)
+    install(TARGETS splineloft RUNTIME)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/examples
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/splineloft)
+endif()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/splineloft-config.cmake.in
+                              ${PROJECT_BINARY_DIR}/splineloft-config.cmake
+                              INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/splineloft-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/splineloft.pc.in ${PROJECT_BINARY_DIR}/splineloft.pc
+               @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/splineloft-config.cmake
+              ${PROJECT_BINARY_DIR}/splineloft-config-version.cmake
+        DESTINATION ${package})
+install(FILES ${PROJECT_BINARY_DIR}/splineloft.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,0 +1,27 @@
+// The library in one include: spline curves, what can be asked of them, and their files.
+//
+//     const splineloft::Spline spline{.family = "cardinal", .parameters = {{"tension", 0.5}}};
+//     const auto pieces = splineloft::piecesOf(spline, points); // any array of points
+//     const auto place = pieces.position({0, 0.25});            // piece 0, a quarter of the way
+#pragma once
+
+#include "core/document/document.h"
+#include "core/document/edits.h"
+#include "core/document/history.h"
+#include "core/formats/document_json.h"
+#include "core/formats/file.h"
+#include "core/formats/samples.h"
+#include "core/spline/bernstein.h"
+#include "core/spline/bounds.h"
+#include "core/spline/catalog.h"
+#include "core/spline/continuity.h"
+#include "core/spline/convert.h"
+#include "core/spline/curve.h"
+#include "core/spline/hodograph.h"
+#include "core/spline/length.h"
+#include "core/spline/nearest.h"
+#include "core/spline/points_view.h"
+#include "core/spline/problem.h"
+#include "core/spline/roots.h"
+#include "core/spline/sample.h"
+#include "core/spline/traits.h"
