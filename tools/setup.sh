@@ -35,6 +35,9 @@ readonly packages_to_bench=(libbenchmark-dev)
 readonly packages_to_bench_if_available=(
     libglm-dev libeigen3-dev libgsl-dev libboost-dev libsisl-dev lib2geom-dev
 )
+# The fuzzers need clang's own run-time library, whose package bears a version.
+readonly packages_to_fuzz=(clang)
+readonly packages_to_fuzz_if_available=(libclang-rt-14-dev libclang-rt-dev)
 
 say() { printf '%s\n' "$*"; }
 
@@ -150,6 +153,12 @@ set_up_for_tests() {
 set_up_for_bench() {
     install_packages "${packages_to_build[@]}" "${packages_to_bench[@]}" \
         -- "${packages_to_bench_if_available[@]}"
+    require_build_tools
+}
+
+set_up_for_fuzzing() {
+    install_packages "${packages_to_build[@]}" "${packages_to_fuzz[@]}" \
+        -- "${packages_to_fuzz_if_available[@]}"
     require_build_tools
 }
 

@@ -16,6 +16,9 @@ constexpr double leastWeight = 1e-9;
 constexpr double mostWeight = 1e9;
 constexpr double mostKnot = 1e300;
 
+// Derivatives of the steepest family stay finite up to here.
+constexpr double mostCoordinate = 1e300;
+
 // Longest key spelled out in a JSON pointer, in bytes.
 constexpr std::size_t longestToken = 80;
 
@@ -203,10 +206,14 @@ std::optional<Problem> tableProblem(const PointsView& table, int dimension,
     }
     for (std::size_t i = 0; i < table.size(); ++i) {
         for (int c = 0; c < dimension; ++c) {
-            if (!std::isfinite(table(i, c))) {
-                return Problem{place + "/" + std::to_string(i) + "/" + std::to_string(c),
-                               "is not a finite number", "a finite number"};
+            const double value = table(i, c);
+            if (std::abs(value) <= mostCoordinate) {
+                continue;
             }
+            const bool finite = std::isfinite(value);
+            return Problem{place + pointerToken(i) + pointerToken(static_cast<std::size_t>(c)),
+                           finite ? "is " + shortest(value) : "is not a finite number",
+                           finite ? "a number from -1e300 to 1e300" : "a finite number"};
         }
     }
     return std::nullopt;
