@@ -1,0 +1,38 @@
+// Where a plane curve crosses itself.
+#pragma once
+
+#include "core/spline/piece.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace splineloft {
+
+/// One place that a curve passes twice.
+struct SelfCrossing {
+    Spot a, b; ///< the earlier and the later spot; joints as the start of the later piece
+    Point place;
+};
+
+/// All such places, in the order of `a`, then `b`.
+struct SelfCrossings {
+    std::vector<SelfCrossing> crossings;
+    /// Whether these are all. Not so where stretches of the curve coincide, inside of which no
+    /// single crossing can be named, and where there are more than `most`.
+    bool complete = true;
+};
+
+/// The self-intersections of a plane curve (curves of other dimensions have none). Where the two
+/// branches cross at an angle the spots are exact to about 1e-12 of their curve's size; where they
+/// only touch, to about 1e-8, and touches are found only where the branches come within rounding of
+/// each other. The joint between two pieces is no crossing, nor is the
+/// start of a curve that ends where it starts; a place that three branches pass comes up once for
+/// every two of them. Bounded work; O(n log n) in the number of pieces, and in that of pairs of
+/// stretches whose boxes overlap.
+///
+/// The curve is split where x or y stands still, so that no stretch can cross itself; stretches
+/// whose boxes overlap are halved until they part, or until the directions that they run in do,
+/// after which they cross once at most (Sederberg and Meyers 1988) and Newton's steps find it.
+SelfCrossings selfIntersections(const Pieces& pieces, std::size_t most = 100'000);
+
+} // namespace splineloft
