@@ -1,32 +1,15 @@
 // Natural cubic spline, the draftsman's lath: through every point with continuous second
 // derivatives, which vanish at free ends; closed, it is periodic. Every point moves all of it.
 #include "core/spline/families/hermite_form.h"
+#include "core/spline/families/tridiagonal.h"
 #include "core/spline/family.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace splineloft::families {
 namespace {
-
-/// Solves a tridiagonal system by elimination without pivoting, which is safe here because every
-/// diagonal outweighs its row. `right` becomes the solution. O(n).
-template <Blendable T>
-void solveTridiagonal(std::span<const double> below, std::span<const double> diagonal,
-                      std::span<const double> above, std::span<T> right) {
-    const auto n = right.size();
-    std::vector<double> over(n);
-    double pivot = diagonal[0];
-    right[0] = (1 / pivot) * right[0];
-    for (std::size_t i = 1; i < n; ++i) {
-        over[i - 1] = above[i - 1] / pivot;
-        pivot = diagonal[i] - below[i] * over[i - 1];
-        right[i] = (1 / pivot) * (right[i] - below[i] * right[i - 1]);
-    }
-    for (std::size_t i = n - 1; i > 0; --i) {
-        right[i - 1] = right[i - 1] - over[i - 1] * right[i];
-    }
-}
 
 /// The equations of one curve: the second derivatives at the joints, one row a joint:
 /// h[i-1] M[i-1] + 2 (h[i-1] + h[i]) M[i] + h[i] M[i+1] = 6 (slope[i] - slope[i-1]).
@@ -52,7 +35,7 @@ template <Blendable T> class Equations {
     std::vector<T> natural() const {
         std::vector<T> second(pieces_ + 1);
         if (pieces_ > 1) {
-            solve(1, pieces_ - 1, std::span(second).subspan(1, pieces_ - 1));
+            std::ranges::move(solve<T>(1, bends(1, pieces_ - 1)), second.begin() + 1);
         }
         return second;
     }
@@ -63,12 +46,13 @@ template <Blendable T> class Equations {
         const auto inner = pieces_ - 1;
         const double before = intervals_[pieces_ - 1];
         const double after = intervals_[0];
+        std::vector<double> unit(inner); // what one unit of M[0] adds to the rows beside it,
+        unit.front() -= after;
+        unit.back() -= before;
+        std::vector<double> pull(pieces_ + 1); // and so to all others
+        std::ranges::move(solve<double>(1, unit), pull.begin() + 1);
         std::vector<T> second(pieces_ + 1);
-        std::vector<double> pull(pieces_ + 1); // what one unit of M[0] adds to the others
-        solve(1, inner, std::span(second).subspan(1, inner));
-        pull[1] -= after;
-        pull[inner] -= before;
-        eliminate(1, inner, std::span(pull).subspan(1, inner));
+        std::ranges::move(solve<T>(1, bends(1, inner)), second.begin() + 1);
         const double diagonal = diagonalOf(0) + before * pull[inner] + after * pull[1];
         const T right =
             6.0 * (slopes_[0] - slopes_[pieces_ - 1]) - before * second[inner] - after * second[1];
@@ -89,22 +73,26 @@ template <Blendable T> class Equations {
         return sum > 0 ? 2 * sum : 1;
     }
 
-    void solve(std::size_t first, std::size_t count, std::span<T> second) const {
+    /// Right sides of `count` rows: how much the chords turn there.
+    std::vector<T> bends(std::size_t first, std::size_t count) const {
+        std::vector<T> right(count);
         for (std::size_t k = 0; k < count; ++k) {
-            second[k] = 6.0 * (slopes_[first + k] - slopes_[first + k - 1]);
+            right[k] = 6.0 * (slopes_[first + k] - slopes_[first + k - 1]);
         }
-        eliminate(first, count, second);
+        return right;
     }
 
+    /// Solves the rows from `first` on, as many as there are right sides.
     template <Blendable R>
-    void eliminate(std::size_t first, std::size_t count, std::span<R> right) const {
-        std::vector<double> below(count), diagonal(count), above(count);
+    std::vector<R> solve(std::size_t first, const std::vector<R>& right) const {
+        const auto count = right.size();
+        std::vector<double> diagonal(count);
         for (std::size_t k = 0; k < count; ++k) {
-            below[k] = previous(first + k);
             diagonal[k] = diagonalOf(first + k);
-            above[k] = intervals_[first + k];
         }
-        solveTridiagonal<R>(below, diagonal, above, right);
+        const auto intervals = std::span(intervals_);
+        return solveTridiagonal<R>({intervals.subspan(first - 1, count), diagonal,
+                                    intervals.subspan(first, count), right});
     }
 
     std::size_t pieces_;
