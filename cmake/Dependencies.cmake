@@ -47,6 +47,17 @@ splineloft_find(nlohmann_json CMAKE nlohmann_json TARGET nlohmann_json::nlohmann
 splineloft_find(CLI11 CMAKE CLI11 TARGET CLI11::CLI11 PKG CLI11
                 FETCH https://github.com/CLIUtils/CLI11.git TAG v2.3.2)
 
+# Vectors of whatever width the machine has. When we fetch it, we build the library alone.
+foreach(part TESTS EXAMPLES CONTRIB INSTALL)
+    set(HWY_ENABLE_${part} OFF CACHE BOOL "" FORCE)
+endforeach()
+splineloft_find(hwy CMAKE hwy TARGET hwy::hwy PKG libhwy
+                FETCH https://github.com/google/highway.git TAG 1.0.3)
+if(TARGET hwy AND NOT TARGET hwy::hwy)
+    target_link_libraries(splineloft_dep_hwy INTERFACE hwy) # its name in its own sources
+endif()
+set(SPLINELOFT_PRIVATE_LIBRARIES -lhwy) # what splineloft.pc adds to our own library
+
 # Dear ImGui and stb are bare sources: when they had to be fetched, we compile what we use.
 function(splineloft_build_imgui)
     FetchContent_GetProperties(imgui SOURCE_DIR dir POPULATED fetched)

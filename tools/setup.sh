@@ -15,6 +15,7 @@ readonly packages_to_build=(
     python3 python3-glad # writes the OpenGL loader while building
     libglfw3-dev libimgui-dev libstb-dev libgl-dev libegl-dev
     libglm-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfontconfig-dev
+    libhwy-dev
 )
 readonly packages_to_run=(
     libgl1 libegl1 libglx-mesa0 libegl-mesa0 libgl1-mesa-dri # OpenGL, in software if need be
@@ -125,7 +126,8 @@ install_packages() {
 say_what_to_install_without_apt() {
     say "No apt here. Splineloft needs: a C++20 compiler, CMake 3.25, Ninja, pkg-config, Python 3,"
     say "OpenGL and EGL headers, GLFW 3.3, Dear ImGui 1.86 to 1.92, GLM, glad 2, nlohmann/json,"
-    say "pugixml, CLI11, stb_image_write, fontconfig and the DejaVu Sans font; to test, GoogleTest."
+    say "pugixml, CLI11, Highway 1.0, stb_image_write, fontconfig and the DejaVu Sans font; to test,"
+    say "GoogleTest."
     say "Libraries that CMake does not find it will try to fetch."
 }
 
