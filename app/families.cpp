@@ -52,6 +52,8 @@ void writeParameter(JsonText& json, const Parameter& parameter) {
     json.key("neutral");
     json.number(parameter.neutral);
     entry("scale", nameOf(parameter.scale));
+    json.key("local");
+    json.boolean(parameter.local);
     entry("meaning", parameter.meaning);
     json.end();
 }
@@ -82,6 +84,10 @@ void writeFamily(JsonText& json, const Family& family) {
     json.boolean(family.closable);
     json.key("tangents");
     json.boolean(family.usesTangents);
+    json.key("knots");
+    json.boolean(family.usesKnots);
+    json.key("weights");
+    json.boolean(family.usesWeights);
     json.key("handles");
     json.boolean(family.hasHandles);
     json.key("mostPoints");

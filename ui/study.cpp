@@ -1,6 +1,8 @@
 #include "ui/study.h"
 
+#include "core/document/lists.h"
 #include "core/spline/bernstein.h"
+#include "core/spline/problem.h"
 #include "ui/canvas/viewport.h"
 
 #include <algorithm>
@@ -76,6 +78,21 @@ BasisGraph graphOf(const BlendPieces& blends) {
     return graph;
 }
 
+/// The lists that go with the first points of a curve.
+void keepFirst(Curve& curve, std::size_t count) {
+    curve.weights.resize(std::min(curve.weights.size(), count));
+    for (auto& [key, values] : curve.local) {
+        values.resize(std::min(values.size(), count));
+    }
+    if (!curve.knots.empty()) {
+        const auto degree = static_cast<std::size_t>(layoutOf(curve).degree);
+        curve.knots.resize(count + (curve.closed ? 1 : degree + 1));
+        if (problemOf(curve)) { // they may leave no interval
+            dropKnots(curve);
+        }
+    }
+}
+
 Curve firstPointsOf(const Curve& curve, std::size_t count) {
     Curve few = curve;
     few.points = Points(curve.points.dimension());
@@ -86,6 +103,7 @@ Curve firstPointsOf(const Curve& curve, std::size_t count) {
             few.tangents.append(curve.tangents.at(i));
         }
     }
+    keepFirst(few, count);
     return few;
 }
 

@@ -210,6 +210,28 @@ bool toggle(const char* label, bool& on, const Stage& stage) {
     return clicked;
 }
 
+bool quietButton(const char* label, bool pressed, const Stage& stage) {
+    const auto& s = stage.theme.surfaces;
+    const float height = ImGui::GetFrameHeight();
+    ImGui::PushFont(font(Face::small));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {stage.px(7), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
+    ImGui::PushStyleColor(ImGuiCol_Button, pressed ? packed(s.accentSoft) : 0);
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(pressed ? s.text : s.quiet));
+    const bool clicked = ImGui::Button(label, {0, height});
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(2);
+    ImGui::PopFont();
+    return clicked;
+}
+
+float quietButtonWidth(const std::string& words, const Stage& stage) {
+    ImGui::PushFont(font(Face::small));
+    const float width = ImGui::CalcTextSize(words.c_str()).x + 2 * stage.px(7);
+    ImGui::PopFont();
+    return width;
+}
+
 void chips(std::span<const Chip> row, const Stage& stage) {
     ImGui::PushFont(font(Face::small));
     auto& list = *ImGui::GetWindowDrawList();

@@ -44,6 +44,10 @@ void chips(std::span<const Chip> row, const Stage& stage);
 /// A small checkbox; returns whether it was clicked.
 bool toggle(const char* label, bool& on, const Stage& stage);
 
+/// A small button without a frame until it is pressed or touched; returns whether it was clicked.
+bool quietButton(const char* label, bool pressed, const Stage& stage);
+float quietButtonWidth(const std::string& words, const Stage& stage);
+
 /// Small quiet text, wrapped.
 void quietText(const std::string& text, const Stage& stage);
 

@@ -39,12 +39,33 @@ Inserted appendPoint(const Document& document, std::size_t curve, const Point& p
 /// with its handles, and a handle alone is drawn in to its anchor.
 Document deletePoints(const Document& document, std::span<const PointId> ids);
 
-/// Draws the same points as another family. Parameters start at their neutral values; ends and
-/// closing stay where the family allows them; Hermite tangents start as those of Catmull-Rom.
+/// Draws the same points as another family. Parameters start at their neutral values; closing
+/// stays where the family allows it, and so do ends that are not the usual ones of the old family;
+/// Hermite tangents start as those of Catmull-Rom. Between a B-spline and NURBS all stays that both
+/// have.
 Document setFamily(const Document& document, std::size_t curve, std::string_view family);
 
+/// Another value of a B-spline's parameter takes the place of its own knots.
 Document setParameter(const Document& document, std::size_t curve, std::string_view key,
                       double value);
+
+/// Gives a parameter a value at each control point, at first the curve's everywhere. No change
+/// where its family does not have that.
+Document makeLocal(const Document& document, std::size_t curve, std::string_view key);
+
+/// Gives it one value for the whole curve again: that of the points where they agree, otherwise
+/// the one that it had before.
+Document makeGlobal(const Document& document, std::size_t curve, std::string_view key);
+
+/// Sets a parameter at these control points, or at all where none is named, and makes it local.
+Document setLocal(const Document& document, std::size_t curve, std::string_view key,
+                  std::span<const std::size_t> points, double value);
+
+/// Gives a control point a weight. Without stored weights all are 1, and where all are 1 none are
+/// stored. No change where the family has no weights.
+Document setWeight(const Document& document, std::size_t curve, std::size_t point, double weight);
+
+/// Another end takes the place of a B-spline's own knots.
 Document setEnds(const Document& document, std::size_t curve, Ends ends);
 /// Closing a Bézier spline adds the two handles of its last piece, opening it takes them away.
 Document setClosed(const Document& document, std::size_t curve, bool closed);

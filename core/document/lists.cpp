@@ -29,18 +29,28 @@ std::size_t middleKnot(const Curve& curve, std::size_t index) {
     return index + (outerKnots(curve) + 1) / 2;
 }
 
-/// Halves the interval before knot `near`, or the first one there is where that is empty.
+/// Halves the interval before knot `near`, or the first that can be halved where that one cannot.
+/// Gives the knots up where there is none.
 void addKnot(Curve& curve, std::size_t near) {
     auto& knots = curve.knots;
     const auto first = outerKnots(curve) + 1;
+    if (knots.size() < 2 * first) {
+        return dropKnots(curve); // too few points for an interval
+    }
     const auto last = knots.size() - first;
-    const auto width = [&](std::size_t i) { return knots[i] - knots[i - 1]; };
-    auto at = std::clamp(near, first, std::max(first, last));
-    for (auto i = first; i <= last && !(width(at) > 0); ++i) {
+    const auto middle = [&](std::size_t i) { return 0.5 * knots[i - 1] + 0.5 * knots[i]; };
+    const auto hasRoom = [&](std::size_t i) {
+        return knots[i - 1] < middle(i) && middle(i) < knots[i];
+    };
+    auto at = std::clamp(near, first, last);
+    for (auto i = first; i <= last && !hasRoom(at); ++i) {
         at = i;
     }
-    const double middle = 0.5 * knots[at - 1] + 0.5 * knots[at];
-    knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), middle);
+    if (!hasRoom(at)) {
+        return dropKnots(curve);
+    }
+    const double halfway = middle(at);
+    knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), halfway);
 }
 
 /// Removes an inner knot; all of them where there is none left.

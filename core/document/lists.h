@@ -11,7 +11,7 @@ namespace splineloft {
 
 /// Makes room for the control point that was inserted as number `index`: it gets the mean weight
 /// and local parameters of its neighbours, and a B-spline with knots of its own one more knot in
-/// the middle of an interval there.
+/// the middle of an interval there. A spline too short for any interval gives its knots up.
 void addToLists(Curve& curve, std::size_t index);
 
 /// Takes the entries of control points away that were deleted, with a knot for each of them.

@@ -2,6 +2,8 @@
 
 #include "core/spline/catalog.h"
 
+#include <cmath>
+
 namespace splineloft {
 namespace {
 
@@ -24,6 +26,19 @@ Curve emptied(const Curve& curve, std::string_view family) {
     result.tangents = result.points;
     completeParameters(result);
     return result;
+}
+
+/// Whether a piece has weights that differ, so that no polynomial draws it.
+bool isRational(const Pieces& pieces) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const double first = pieces[i].weight(0);
+        for (int k = 1; k <= pieces.degree(); ++k) {
+            if (std::abs(pieces[i].weight(k) - first) > agreement * first) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 std::variant<Curve, Problem> toBezierSpline(const Curve& curve, const Pieces& pieces) {
@@ -126,6 +141,10 @@ std::variant<Curve, Problem> converted(const Curve& curve, std::string_view fami
     if (pieces.empty()) {
         return Problem{"/points", "has too few points for a piece",
                        std::to_string(fewestPoints(curve)) + " points or more"};
+    }
+    if (isRational(pieces)) {
+        return noSuchCurve("the curve is rational, and no polynomial draws it exactly",
+                           "a curve whose weights, or local parameters, are all the same");
     }
     if (family == "bezier-spline") {
         return toBezierSpline(curve, pieces);

@@ -131,7 +131,8 @@ std::optional<Problem> orderProblem(std::span<const double> knots, std::size_t m
     for (std::size_t i = 0; i < knots.size(); ++i) {
         const std::string place = "/knots/" + std::to_string(i);
         if (!(std::abs(knots[i]) <= mostKnot)) {
-            return Problem{place, "is " + shortest(knots[i]), "a finite number"};
+            return Problem{place, "is " + shortest(knots[i]),
+                           "a number from " + shortest(-mostKnot) + " to " + shortest(mostKnot)};
         }
         if (i > 0 && knots[i] < knots[i - 1]) {
             return Problem{place,

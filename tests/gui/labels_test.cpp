@@ -105,6 +105,31 @@ TEST(LabelLaws, whereThereIsRoomEveryNameIsThereAndClearOfMarks) {
     }
 }
 
+TEST(LabelLaws, aWeightIsTheNoteOfAPointThatIsTouched) {
+    Curve curve = curveOf("nurbs");
+    curve.weights = {1, 1, 2.5, 1, 0.125, 1, 1};
+    Hand hand(documentOf({curve}));
+    View view = hand.session.view;
+    const auto notes = [&] {
+        std::vector<std::string> texts;
+        for (const auto& label : sceneOf(hand, view).labels) {
+            if (label.text.find(" w ") != std::string::npos) {
+                texts.push_back(label.text);
+            }
+        }
+        return texts;
+    };
+    EXPECT_TRUE(notes().empty()) << "calm until it is asked";
+    view.hovered = PointId{0, 2};
+    EXPECT_EQ(notes(), (std::vector<std::string>{"P_2 · w 2.5"}));
+    view.selection = {{0, 4}, {0, 5}};
+    EXPECT_EQ(notes(), (std::vector<std::string>{"P_2 · w 2.5", "P_4 · w 0.125", "P_5 · w 1"}));
+    expectTidy(placeLabels(sceneOf(hand, view), measured, markRadius), frame, "weights");
+    curve.weights.clear();
+    hand = Hand(documentOf({curve}));
+    EXPECT_TRUE(notes().empty()) << "where all weigh the same there is nothing to say";
+}
+
 TEST(LabelLaws, aFixedLabelStaysOrGoes) {
     Scene scene;
     scene.frame = frame;

@@ -51,14 +51,39 @@ class Monkey {
         for (auto count = below(4); count > 0; --count) {
             const auto& family = catalog()[below(catalog().size())];
             const bool closed = below(2) == 0 && family.closable;
-            const auto curve = below(3) == 0 ? curveOf(family.id, static_cast<int>(1 + below(6)))
-                                             : curveOf(family.id, closed);
+            auto curve = below(3) == 0 ? curveOf(family.id, static_cast<int>(1 + below(6)))
+                                       : curveOf(family.id, closed);
+            addLists(curve);
             document.curves.push_back(std::make_shared<Curve>(curve));
         }
         return document;
     }
 
   private:
+    /// Now and then weights, local parameters, and knots of its own, for a curve that may have
+    /// them.
+    void addLists(Curve& curve) {
+        const auto& family = familyOf(curve);
+        const auto n = curve.points.size();
+        for (std::size_t i = 0; family.usesWeights && below(2) == 0 && i < n; ++i) {
+            curve.weights.resize(n, 1);
+            curve.weights[i] = real(0.1, 5);
+        }
+        for (const auto& parameter : family.parameters) {
+            if (parameter.local && below(2) == 0) {
+                curve.local[std::string(parameter.key)].assign(
+                    n, real(parameter.sliderLeast, parameter.sliderMost));
+            }
+        }
+        if (family.usesKnots && below(2) == 0) {
+            const auto degree = static_cast<std::size_t>(parameterOf(curve, "degree"));
+            for (std::size_t i = 0; i < n + (curve.closed ? 1 : degree + 1); ++i) {
+                curve.knots.push_back(static_cast<double>(i));
+            }
+            curve.ends = Ends::none;
+        }
+    }
+
     double real(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random_);
     }

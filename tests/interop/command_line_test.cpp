@@ -1,7 +1,6 @@
 // The command line, called as main calls it: what it prints, what it refuses, its exit codes.
-#include "app/command_line.h"
-
 #include "core/formats/file.h"
+#include "tests/interop/run.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,33 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-/// What one call of the program did.
-struct Ran {
-    Command command;
-    std::string out, err;
-
-    int exitCode() const {
-        const auto* finished = std::get_if<Finished>(&command);
-        return finished != nullptr ? finished->exitCode : -1;
-    }
-};
-
-Ran run(std::vector<std::string> arguments, const std::string& input = "") {
-    arguments.insert(arguments.begin(), "splineloft");
-    std::vector<const char*> argv;
-    for (const auto& argument : arguments) {
-        argv.push_back(argument.c_str());
-    }
-    std::istringstream in(input);
-    std::ostringstream out, err;
-    auto command = runCommandLine(static_cast<int>(argv.size()), argv.data(), {in, out, err});
-    return {std::move(command), out.str(), err.str()};
-}
-
-std::string curves(const std::string& list) {
-    return R"({"format": "splineloft", "version": 1, "curves": [)" + list + "]}";
-}
 
 // Off the origin and without symmetry, so that wrong signs show.
 const std::string path = R"({"name": "path", "family": "cardinal",

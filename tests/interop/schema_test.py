@@ -68,8 +68,53 @@ def cases_of_families(families):
         yield False, document(curve(name, parameters={"slack": 1}))
         yield name == "hermite", document(curve(name, tangents=[[1, 0]] * 4))
         yield name != "hermite", document(curve(name, tangents=None))
-        for key in ["knots", "weights", "local"]:
-            yield False, document(curve(name, **{key: []}))
+        yield from cases_of_lists(family)
+
+
+def cases_of_lists(family):
+    """Knots, weights and local parameters, of four points, where the family has them and where not."""
+    name, closable = family["id"], family["closable"]
+    for key in ["knots", "weights", "local"]:
+        for value in [[], {}, 1, None, "1", [None], ["1"]]:
+            # Without any entry, `local` says nothing, which is right where there could be one.
+            empty = key == "local" and value == {} and has_local(family)
+            case = curve(name)
+            case[key] = value
+            yield empty, document(case)
+    knots = family["knots"]
+    cubic = [0, 0, 0, 0, 1, 1, 1, 1]
+    yield knots, document(curve(name, knots=cubic))
+    yield knots, document(curve(name, knots=[-1e300, 0, 0, 0, 1, 1, 1, 1e300]))
+    yield False, document(curve(name, knots=[-1.1e300, 0, 0, 0, 1, 1, 1, 1]))
+    yield False, document(curve(name, knots=[0, 0, 0, 0, 1, 1, 1, "1"]))
+    yield knots, document(curve(name, knots=[1, 2, 4, 8, 16], closed=True))
+    yield knots, document(curve(name, knots=[0, 0, 1, 2, 3, 3], parameters={"degree": 1}))
+    for ends in ["none", "open", "doubled", "reflected", "clamped"]:
+        yield knots and ends == "none", document(curve(name, knots=cubic, ends=ends))
+        yield (knots and ends == "none",
+               document(curve(name, knots=[0, 1, 2, 3, 4], ends=ends, closed=True)))
+    for weights, good in [([1, 2, 3, 4], True), ([1e-9, 1e9, 1, 0.5], True), ([1, 1, 1, 0], False),
+                          ([1, -1, 1, 1], False), ([1, 1, 2e9, 1], False), ([1, 1, 1, None], False)]:
+        yield good and family["weights"], document(curve(name, weights=weights))
+        yield (good and family["weights"] and closable,
+               document(curve(name, weights=weights, closed=True)))
+    yield False, document(curve(name, local={"slack": [0, 0, 0, 0]}))
+    for parameter in family["parameters"]:
+        key, (least, most) = parameter["key"], parameter["range"]
+        for values, good in [([least] * 4, True), ([least, parameter["neutral"], most, most], True),
+                             ([least, most, most, most + 1], False), ([least - 1] * 4, False),
+                             ([], False), ([None] * 4, False), (least, False), ("1111", False)]:
+            good = good and parameter["local"]
+            yield good, document(curve(name, local={key: values}))
+            yield good and closable, document(curve(name, local={key: values}, closed=True))
+    if has_local(family):
+        every = {parameter["key"]: [parameter["neutral"]] * 4
+                 for parameter in family["parameters"] if parameter["local"]}
+        yield True, document(curve(name, local=every))
+
+
+def has_local(family):
+    return any(parameter["local"] for parameter in family["parameters"])
 
 
 def cases_of_curves():
@@ -121,11 +166,23 @@ def cases_of_documents():
 
 
 def cases_beyond_a_schema():
-    """What only the program can see: that lists are equally long."""
+    """What only the program can see: that lists are equally long, and knots in order."""
     yield document(curve(points=[[1, 2], [3]]))
     yield document(curve(points=[[1]], coordinates=["x", "y"]))
     yield document(curve("hermite", tangents=[[1, 0]]))
     yield document(curve("hermite", tangents=[[1]] * 4))
+    yield document(curve("nurbs", weights=[1, 1, 1]))
+    yield document(curve("nurbs", weights=[1] * 5))
+    for key in ["tension", "bias"]:
+        yield document(curve("beta", local={key: [1] * 3}))
+        yield document(curve("kochanek-bartels", local={key: [1] * 5}))
+    yield document(curve("cardinal", local={"tension": [1] * 3}))
+    for name in ["b-spline", "nurbs"]:
+        for knots in [[0, 1, 2, 3, 4, 5, 6], [0, 1, 2, 3, 4, 5, 6, 7, 8], [0, 0, 0, 1, 0, 1, 1, 1],
+                      [0, 0, 0, 0, 0, 1, 1, 1], [2] * 8, [0, 0, 0, 1, 1, 1, 1, 2], [0]]:
+            yield document(curve(name, knots=knots))
+        for knots in [[0, 1, 2, 3], [0, 1, 2, 3, 4, 5], [0, 1, 3, 2, 4], [1] * 5, [0, 1, 1, 1, 1]]:
+            yield document(curve(name, knots=knots, closed=True))
 
 
 def check_cases(validator, families, folder):
@@ -170,6 +227,15 @@ def check_catalog(schema, families):
             found = [entry.get("minimum"), entry.get("maximum"), entry.get("default")]
             wanted = [*parameter["range"], parameter["neutral"]]
             expect(found == wanted, f"{family['id']}.{parameter['key']}: {found} for {wanted}")
+        local = [parameter for parameter in family["parameters"] if parameter["local"]]
+        entries = described.get("local", {}).get("properties", {})
+        expect(list(entries) == [parameter["key"] for parameter in local],
+               f"{family['id']}: local {list(entries)}")
+        for parameter in local:
+            items = entries.get(parameter["key"], {}).get("items", {})
+            found = [items.get("minimum"), items.get("maximum")]
+            expect(found == parameter["range"],
+                   f"{family['id']}, local {parameter['key']}: {found} for {parameter['range']}")
 
 
 def main():

@@ -243,6 +243,102 @@ std::vector<Refused> badTables() {
     };
 }
 
+/// A B-spline of degree 3 with four points; of a closed one the same points go around.
+std::string bSpline(const std::string& keys, const std::string& family = "b-spline") {
+    return withCurves(R"({"family": ")" + family +
+                      R"(", "points": [[0, 1], [2, 3], [5, 4], [6, 1]], )" + keys + "}");
+}
+
+std::vector<Refused> badKnots() {
+    const std::string good = R"("knots": [0, 0, 0, 0, 1, 1, 1, 1])";
+    return {
+        {"knotsEmpty", bSpline(R"("knots": [])"), "/curves/0/knots", "is empty", "numbers"},
+        {"knotsNumber", bSpline(R"("knots": 8)"), "/curves/0/knots", "is a number", "an array"},
+        {"knotText", bSpline(R"("knots": [0, "0"])"), "/curves/0/knots/1", "is a string",
+         "a number"},
+        {"tooFewKnots", bSpline(R"("knots": [0, 0, 0, 1, 1, 1, 1])"), "/curves/0/knots",
+         "has 7 knots for 4 points and degree 3", "8 knots"},
+        {"tooManyKnots", bSpline(R"("knots": [0, 0, 0, 0, 0.5, 1, 1, 1, 1])"), "/curves/0/knots",
+         "has 9 knots", "8 knots"},
+        {"knotsOfAnotherDegree", bSpline(good + R"(, "parameters": {"degree": 2})"),
+         "/curves/0/knots", "has 8 knots for 4 points and degree 2", "7 knots"},
+        {"openKnotsOfAClosedCurve", bSpline(good + R"(, "closed": true)"), "/curves/0/knots",
+         "has 8 knots", "5 knots"},
+        {"fallingKnot", bSpline(R"("knots": [0, 0, 0, 0.5, 0.25, 1, 1, 1])"), "/curves/0/knots/4",
+         "falls from 0.5 to 0.25", "never fall"},
+        {"knotTooOften", bSpline(R"("knots": [0, 0, 0, 0, 0, 1, 1, 1])"), "/curves/0/knots/4",
+         "0 stands more than 4 times", "at most 4 times"},
+        {"knotTooOftenAround", bSpline(R"("closed": true, "knots": [0, 1, 1, 1, 1])"),
+         "/curves/0/knots/4", "1 stands more than 3 times", "at most 3 times"},
+        {"knotTooLarge", bSpline(R"("knots": [0, 0, 0, 0, 1, 1, 1, 1e301])"), "/curves/0/knots/7",
+         "is 1e+301", "-1e+300 to 1e+300"},
+        {"noInterval", bSpline(R"("knots": [0, 0, 0, 1, 1, 1, 1, 2])"), "/curves/0/knots",
+         "no interval", "knot 3 below knot 4"},
+        {"endsBesideKnots", bSpline(good + R"(, "ends": "clamped")"), "/curves/0/ends",
+         "is \"clamped\"", "with knots of its own: none"},
+        {"endsBesideClosedKnots",
+         bSpline(R"("closed": true, "knots": [0, 1, 2, 3, 4], "ends": "doubled")"),
+         "/curves/0/ends", "is \"doubled\"", "with knots of its own: none"},
+        {"noneWithoutKnots", bSpline(R"("ends": "none")"), "/curves/0/ends", "is \"none\"",
+         "doubled, open, reflected, clamped"},
+        {"knotsOfDuff", bSpline(good, "duff"), "/curves/0/knots", "the family duff takes no knots",
+         "leave"},
+    };
+}
+
+std::vector<Refused> badWeights() {
+    const auto nurbs = [](const std::string& keys) { return bSpline(keys, "nurbs"); };
+    return {
+        {"weightsEmpty", nurbs(R"("weights": [])"), "/curves/0/weights", "is empty", "numbers"},
+        {"tooFewWeights", nurbs(R"("weights": [1, 2, 1])"), "/curves/0/weights",
+         "has 3 weights for 4 points", "one weight for each point"},
+        {"tooManyWeights", nurbs(R"("weights": [1, 2, 1, 1, 1])"), "/curves/0/weights",
+         "has 5 weights for 4 points", "one weight for each point"},
+        {"weightZero", nurbs(R"("weights": [1, 2, 0, 1])"), "/curves/0/weights/2", "is 0",
+         "1e-09 to 1e+09"},
+        {"weightNegative", nurbs(R"("weights": [1, -2, 1, 1])"), "/curves/0/weights/1", "is -2",
+         "1e-09 to 1e+09"},
+        {"weightTooSmall", nurbs(R"("weights": [1, 1, 1, 1e-10])"), "/curves/0/weights/3",
+         "is 1e-10", "1e-09 to 1e+09"},
+        {"weightTooLarge", nurbs(R"("weights": [1.1e9, 1, 1, 1])"), "/curves/0/weights/0",
+         "is 1.1e+09", "1e-09 to 1e+09"},
+        {"weightNull", nurbs(R"("weights": [1, null, 1, 1])"), "/curves/0/weights/1", "is null",
+         "a number"},
+        {"weightsOfABSpline", bSpline(R"("weights": [1, 1, 1, 1])"), "/curves/0/weights",
+         "the family b-spline takes no weights", "leave"},
+    };
+}
+
+std::vector<Refused> badLocal() {
+    const auto local = [](const std::string& keys, const std::string& family) {
+        return bSpline(R"("local": )" + keys, family);
+    };
+    return {
+        {"localArray", local("[]", "beta"), "/curves/0/local", "is an array", "an object"},
+        {"localUnknown", local(R"({"slack": [1, 1, 1, 1]})", "beta"), "/curves/0/local/slack",
+         "the family beta has no \"slack\" at each control point", "use bias, tension"},
+        {"localNumber", local(R"({"bias": 1})", "beta"), "/curves/0/local/bias", "is a number",
+         "an array"},
+        {"localEmpty", local(R"({"bias": []})", "beta"), "/curves/0/local/bias", "is empty",
+         "numbers"},
+        {"tooFewLocal", local(R"({"tension": [1, 1, 1]})", "beta"), "/curves/0/local/tension",
+         "has 3 values for 4 points", "one value for each point"},
+        {"localOutOfRange", local(R"({"bias": [1, 2, 0, 1]})", "beta"), "/curves/0/local/bias/2",
+         "is 0", "0.001 to 1000"},
+        {"localOutOfRangeToo", local(R"({"continuity": [0, 1.5, 0, 0]})", "kochanek-bartels"),
+         "/curves/0/local/continuity/1", "is 1.5", "-1 to 1"},
+        {"localText", local(R"({"tension": [0, 0, "0", 0]})", "cardinal"),
+         "/curves/0/local/tension/2", "is a string", "a number"},
+        {"localDegree", local(R"({"degree": [3, 3, 3, 3]})", "b-spline"), "/curves/0/local",
+         "the family b-spline takes no local", "leave"},
+        {"localTwice", local(R"({"bias": [1, 1, 1, 1], "bias": [1, 1, 1, 1]})", "beta"),
+         "/curves/0/local/bias", "stands twice", "once"},
+    };
+}
+
+INSTANTIATE_TEST_SUITE_P(Knots, Refuses, testing::ValuesIn(badKnots()), titleOf);
+INSTANTIATE_TEST_SUITE_P(Weights, Refuses, testing::ValuesIn(badWeights()), titleOf);
+INSTANTIATE_TEST_SUITE_P(Local, Refuses, testing::ValuesIn(badLocal()), titleOf);
 INSTANTIATE_TEST_SUITE_P(NoJson, Refuses, testing::ValuesIn(noJson()), titleOf);
 INSTANTIATE_TEST_SUITE_P(Tree, Refuses, testing::ValuesIn(badTree()), titleOf);
 INSTANTIATE_TEST_SUITE_P(Head, Refuses, testing::ValuesIn(badHead()), titleOf);

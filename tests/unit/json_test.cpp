@@ -144,6 +144,77 @@ TEST(WriteDocument, readsBackToTheSameBytesForEveryFamily) {
     }
 }
 
+/// B-splines, open and closed, with knots, weights and local parameters of awkward values.
+Document documentWithLists() {
+    Curve open;
+    open.family = "nurbs";
+    open.parameters = {{"degree", 2}, {"alpha", 0.1 + 0.2}};
+    open.points = Points{{0.5, 1}, {3, 1e-7}, {-5, 0.7}, {8, 8}};
+    open.ends = Ends::none;
+    open.knots = {-1e300, -0.1, 1e-300, 0.25, 1.0 / 3, 1.0 / 3, 1e300};
+    open.weights = {1e-9, 1, std::sqrt(2.0) / 2, 1e9};
+    Curve closed = open;
+    closed.family = "b-spline";
+    closed.closed = true;
+    closed.knots = {0, 0, 0.1 + 0.2, 2, 1e9};
+    closed.weights.clear();
+    Curve local;
+    local.family = "beta";
+    local.points = open.points;
+    local.local = {{"bias", {1e-3, 1, 1.0 / 3, 1e3}}, {"tension", {0, -0.0, 1e6, 1e-7}}};
+    Curve both = local;
+    both.family = "kochanek-bartels";
+    both.ends = Ends::open;
+    both.local = {{"continuity", {-1, 1, 0, 0.1}}};
+    Document document;
+    for (const auto& curve : {open, closed, local, both}) {
+        document.curves.push_back(std::make_shared<const Curve>(curve));
+    }
+    return document;
+}
+
+TEST(WriteDocument, readsKnotsWeightsAndLocalParametersBackToTheSameBytes) {
+    const auto document = documentWithLists();
+    expectStable(document);
+    const auto read = readDocument(writeDocument(document));
+    ASSERT_TRUE(read) << read.refusal().message();
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        EXPECT_EQ(read->curves[i]->knots, document.curves[i]->knots) << i;
+        EXPECT_EQ(read->curves[i]->weights, document.curves[i]->weights) << i;
+        EXPECT_EQ(read->curves[i]->local, document.curves[i]->local) << i;
+        EXPECT_EQ(read->curves[i]->ends, document.curves[i]->ends) << i;
+    }
+}
+
+TEST(WriteDocument, laysListsOutInLines) {
+    const auto text = writeDocument(documentWithLists());
+    for (const std::string line :
+         {R"(      "knots": [0, 0, 0.30000000000000004, 2, 1000000000],)",
+          R"(      "weights": [1e-09, 1, 0.7071067811865476, 1000000000],)",
+          "      \"local\": {\n        \"bias\": [0.001, 1, 0.3333333333333333, 1000],\n"
+          "        \"tension\": [0, -0.0, 1000000, 1e-07]\n      },\n"}) {
+        EXPECT_NE(text.find(line), std::string::npos) << line << " in " << text;
+    }
+}
+
+TEST(ReadDocument, fillsInTheEndsOfOwnKnots) {
+    const std::string points = R"("points": [[0, 1], [2, 3], [5, 4], [6, 1]])";
+    const std::string knots = R"("knots": [0, 0, 0, 0, 1, 1, 1, 1])";
+    EXPECT_EQ(
+        onlyCurve(withCurves(R"({"family": "b-spline", )" + points + ", " + knots + "}")).ends,
+        Ends::none);
+    EXPECT_EQ(onlyCurve(withCurves(R"({"family": "b-spline", )" + points + "}")).ends,
+              Ends::doubled);
+    const auto nurbs = onlyCurve(withCurves(R"({"family": "nurbs", )" + points + "}"));
+    EXPECT_EQ(nurbs.ends, Ends::clamped);
+    EXPECT_TRUE(nurbs.weights.empty());
+    EXPECT_EQ(nurbs.parameters, (std::map<std::string, double>{{"alpha", 0}, {"degree", 3}}));
+}
+
+TEST(ReadDocument, takesAnEmptyObjectOfLocalParameters) {
+    EXPECT_TRUE(onlyCurve(curveWith(R"("local": {})")).local.empty());
+}
+
 TEST(WriteDocument, keepsTheSignOfZero) {
     const auto text = writeDocument(awkwardDocument());
     EXPECT_NE(text.find("[-0.0, 0]"), std::string::npos) << text;

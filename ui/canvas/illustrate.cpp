@@ -14,6 +14,8 @@ namespace {
 
 // More names than these on one curve are noise.
 constexpr std::size_t mostNames = 60;
+// A ladder of more levels is told by its lines; names for all its points would hide it.
+constexpr int mostNamedLevels = 8;
 constexpr std::size_t combTeeth = 150; // on the whole curve, about
 constexpr double longestTooth = 90;    // design pixels
 constexpr double usualTooth = 34;      // design pixels, for the mean curvature
@@ -75,7 +77,9 @@ class Illustration {
             for (std::size_t i = 0; i < line.size(); ++i) {
                 scene_.marks.push_back(
                     {line[i], r == 0 ? SignShape::square : SignShape::disc, {Role::ladder, r}});
-                rungName(r, i, line[i]);
+                if (ladder.degree() <= mostNamedLevels) {
+                    rungName(r, i, line[i]);
+                }
             }
         }
         const Point& tip = ladder.tip();
@@ -124,7 +128,7 @@ class Illustration {
             const Role role = isHandle(study, i) ? Role::handle : Role::control;
             mark(places[i], shapeOf(study, i), {role, static_cast<int>(i)}, size);
             if (view_.layers.labels && places.size() <= mostNames && !isHandle(study, i)) {
-                scene_.labels.push_back({pointName(i),
+                scene_.labels.push_back({pointName(i) + weightNote(study, i),
                                          viewport_.toScreen(places[i]),
                                          11 * scale_,
                                          {Role::control, static_cast<int>(i)},
@@ -199,6 +203,14 @@ class Illustration {
             at.y < f.bottom() + edge) {
             scene_.marks.push_back({at, shape, ink, 0, size});
         }
+    }
+
+    /// The weight of a point under the pointer or selected, where the curve has weights.
+    std::string weightNote(const Study& study, std::size_t i) const {
+        const auto& weights = study.curve().weights;
+        const PointId id{view_.activeCurve, i, Part::point};
+        const bool wanted = view_.hovered == id || view_.selection.contains(id);
+        return weights.empty() || !wanted ? "" : " · w " + significant(weights[i], 4);
     }
 
     static bool isHandle(const Study& study, std::size_t i) {

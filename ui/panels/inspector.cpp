@@ -1,7 +1,6 @@
 #include "core/document/edits.h"
 #include "core/spline/catalog.h"
 #include "ui/canvas/wording.h"
-#include "ui/lettering.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets.h"
 
@@ -68,14 +67,23 @@ class Inspector {
     }
 
     void parameters(const Study& study) {
-        const auto values = parametersOf(study.curve());
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const auto& parameter = study.family().parameters[i];
-            const auto turned = parameterSlider(parameter, values[i], stage_);
+        for (const auto& parameter : study.family().parameters) {
+            const ImVec2 corner = ImGui::GetCursorPos();
+            const bool local = study.curve().local.contains(std::string(parameter.key));
+            const auto chosen = local ? selectedPoints() : std::vector<std::size_t>();
+            const auto turned =
+                parameterSlider(parameter, valueOf(study.curve(), parameter, chosen), stage_);
             if (turned) {
-                edit_ =
-                    Edit{setParameter(settled(), view_.activeCurve, parameter.key, turned->value),
-                         turned->phase, "Set " + std::string(parameter.label)};
+                const auto name = "Set " + std::string(parameter.label);
+                const auto curve = view_.activeCurve;
+                edit_ = local
+                            ? Edit{setLocal(settled(), curve, parameter.key, chosen, turned->value),
+                                   turned->phase, name + " of " + wordsOf(chosen)}
+                            : Edit{setParameter(settled(), curve, parameter.key, turned->value),
+                                   turned->phase, name};
+            }
+            if (parameter.local) {
+                perPoint(parameter, local, chosen, corner);
             }
             ImGui::Spacing();
         }
@@ -92,6 +100,12 @@ class Inspector {
             const auto chosen = std::ranges::find(accepted, curve.ends) - accepted.begin();
             ImGui::AlignTextToFramePadding();
             ImGui::TextUnformatted("Ends");
+            if (!curve.knots.empty()) {
+                ImGui::SameLine(stage_.px(62));
+                quietText(ownKnots(curve), stage_);
+                explain("The first and last of its knots say how it begins and stops. Another end "
+                        "takes their place.");
+            }
             ImGui::PushFont(font(Face::small));
             if (names.size() < 4) {
                 ImGui::SameLine(stage_.px(62));
@@ -104,6 +118,16 @@ class Inspector {
                 commit(setEnds(settled(), view_.activeCurve, accepted[index]),
                        "Ends " + std::string(names[index]));
             }
+        } else if (!curve.knots.empty()) {
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextUnformatted("Knots");
+            ImGui::SameLine(stage_.px(62));
+            quietText(ownKnots(curve), stage_);
+            ImGui::SameLine(0, stage_.px(10));
+            if (quietButton("drop", true, stage_)) {
+                commit(setEnds(settled(), view_.activeCurve, accepted.front()), "Drop the knots");
+            }
+            explain("Knots from the spacing above take their place.");
         }
         bool closed = curve.closed;
         if (!study.family().closable) {
@@ -167,44 +191,10 @@ class Inspector {
     }
 
     void points(const Study& study) {
-        const Curve& curve = study.curve();
-        const int dimension = curve.points.dimension();
         heading("Points");
-        // Up to three coordinates share the width; more are scrolled through.
-        const bool wide = dimension > 3;
-        const auto rows = static_cast<float>(curve.points.size() + curve.tangents.size() + 1);
-        const float height =
-            wide ? std::min(rows * stage_.px(25) + stage_.px(14), stage_.px(420)) : 0;
-        if (!ImGui::BeginTable("points", dimension + 1,
-                               ImGuiTableFlags_RowBg |
-                                   (wide ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
-                                               ImGuiTableFlags_SizingFixedFit
-                                         : ImGuiTableFlags_SizingStretchSame),
-                               {0, height})) {
-            return;
+        if (auto edit = drawPoints(session_, view_, study, stage_)) {
+            edit_ = std::move(edit);
         }
-        ImGui::TableSetupScrollFreeze(wide ? 1 : 0, wide ? 1 : 0);
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, stage_.px(50));
-        for (const auto& name : curve.coordinates) {
-            ImGui::TableSetupColumn(name.c_str(), 0, wide ? stage_.px(72) : 0);
-        }
-        header(curve);
-        ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
-        ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {stage_.px(4), stage_.px(2)});
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(curve.points.size() + curve.tangents.size()));
-        while (clipper.Step()) {
-            for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-                const auto index = static_cast<std::size_t>(row);
-                const auto n = curve.points.size();
-                pointRow(curve, index < n ? PointId{view_.activeCurve, index, Part::point}
-                                          : PointId{view_.activeCurve, index - n, Part::tangent});
-            }
-        }
-        ImGui::PopStyleVar(2);
-        ImGui::PopStyleColor();
-        ImGui::EndTable();
     }
 
   private:
@@ -215,6 +205,57 @@ class Inspector {
     }
 
     void heading(const char* text) { quietText(text, stage_); }
+
+    /// The selected control points of the active curve.
+    std::vector<std::size_t> selectedPoints() const {
+        std::vector<std::size_t> points;
+        for (const auto& id : view_.selection) {
+            if (id.curve == view_.activeCurve && id.part == Part::point) {
+                points.push_back(id.index);
+            }
+        }
+        return points;
+    }
+
+    /// Those points; none stands for all of them.
+    static std::string wordsOf(const std::vector<std::size_t>& points) {
+        return points.empty()       ? "all points"
+               : points.size() == 1 ? plainPointName(points.front())
+                                    : std::to_string(points.size()) + " points";
+    }
+
+    /// What a parameter's slider shows: where it is local, the value at the first of the points.
+    static double valueOf(const Curve& curve, const Parameter& parameter,
+                          const std::vector<std::size_t>& points) {
+        const auto local = curve.local.find(std::string(parameter.key));
+        return local == curve.local.end() ? parameterOf(curve, parameter.key)
+                                          : local->second.at(points.empty() ? 0 : points.front());
+    }
+
+    /// Beside the name of a parameter that may be local: whether it is, and at which points the
+    /// slider sets it.
+    void perPoint(const Parameter& parameter, bool local, const std::vector<std::size_t>& points,
+                  ImVec2 corner) {
+        const ImVec2 below = ImGui::GetCursorPos();
+        const auto words = local ? wordsOf(points) : std::string("per point");
+        const float right = below.x + ImGui::GetContentRegionAvail().x - stage_.px(98);
+        ImGui::SetCursorPos({right - quietButtonWidth(words, stage_), corner.y});
+        const auto name = std::string(parameter.label);
+        if (quietButton((words + "###per " + std::string(parameter.key)).c_str(), local, stage_)) {
+            local ? commit(makeGlobal(settled(), view_.activeCurve, parameter.key),
+                           name + " for the whole curve")
+                  : commit(makeLocal(settled(), view_.activeCurve, parameter.key),
+                           name + " per point");
+        }
+        explain(local ? "The slider sets " + words +
+                            ". Click for one value for the whole curve again."
+                      : "Click for a value at each point.");
+        ImGui::SetCursorPos(below);
+    }
+
+    static std::string ownKnots(const Curve& curve) {
+        return "own knots (" + std::to_string(curve.knots.size()) + ")";
+    }
 
     /// The continuity of each joint, in words.
     void joints(const Traits& t) {
@@ -241,54 +282,6 @@ class Inspector {
             quietText("t = " + from + (last > i ? " … " + to : "") + ":  " + words, stage_);
             i = last + 1;
         }
-    }
-
-    void header(const Curve& curve) {
-        ImGui::TableNextRow();
-        for (std::size_t c = 0; c < curve.coordinates.size(); ++c) {
-            ImGui::TableSetColumnIndex(static_cast<int>(c) + 1);
-            ImGui::TextDisabled(" %s", curve.coordinates[c].c_str());
-        }
-    }
-
-    void pointRow(const Curve& curve, const PointId& id) {
-        const bool tangent = id.part == Part::tangent;
-        const auto& table = tangent ? curve.tangents : curve.points;
-        ImGui::TableNextRow();
-        ImGui::TableSetColumnIndex(0);
-        ImGui::PushID(tangent ? 1 : 0);
-        ImGui::PushID(static_cast<int>(id.index));
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (view_.selection.contains(id)) {
-            ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1,
-                                   packed(stage_.theme.surfaces.accentSoft));
-        }
-        if (ImGui::Selectable("##row", false, 0, {0, stage_.px(20)})) {
-            if (!ImGui::GetIO().KeyShift) {
-                view_.selection.clear();
-            }
-            view_.selection.insert(id);
-        }
-        auto& list = *ImGui::GetWindowDrawList();
-        const Colour colour = colourOf(stage_.theme, {Role::control, static_cast<int>(id.index)});
-        list.AddCircleFilled({at.x + stage_.px(7), at.y + stage_.px(10)}, stage_.px(5),
-                             packed(colour));
-        drawMath(list, {at.x + stage_.px(18), at.y + stage_.px(1)}, stage_.theme.surfaces.text,
-                 (tangent ? "T_" : "P_") + std::to_string(id.index), Face::regular);
-        for (int c = 0; c < table.dimension(); ++c) {
-            ImGui::TableSetColumnIndex(c + 1);
-            ImGui::PushID(c);
-            Point place = table.at(id.index);
-            if (const auto entered = numberField("##value", place[c], -1)) {
-                place[c] = *entered;
-                commit(setPoint(settled(), id, place),
-                       "Set " + curve.coordinates[static_cast<std::size_t>(c)] + " of " +
-                           plainPointName(id.index));
-            }
-            ImGui::PopID();
-        }
-        ImGui::PopID();
-        ImGui::PopID();
     }
 
     const Session& session_;

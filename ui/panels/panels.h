@@ -19,6 +19,10 @@ void drawToolRail(Session& session, const Stage& stage);
 /// Curves, family, parameters, ends, traits, joints, points.
 std::optional<Edit> drawInspector(const Session& session, View& view, const Stage& stage);
 
+/// The table of a curve's points, with their weights and local parameters.
+std::optional<Edit> drawPoints(const Session& session, View& view, const Study& study,
+                               const Stage& stage);
+
 /// The strip of plots: its controls and values. Returns where the two plots are to be drawn.
 struct StripFrames {
     ScreenRect whole, segments;
