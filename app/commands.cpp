@@ -9,6 +9,8 @@
 #include "core/spline/continuity.h"
 #include "core/spline/convert.h"
 #include "core/spline/length.h"
+#include "core/spline/self_intersect.h"
+#include "core/spline/turning.h"
 
 #include <algorithm>
 #include <istream>
@@ -114,14 +116,18 @@ Result<std::vector<Spot>> spotsOf(const SpotQuery& query, const KnotLine& knots)
     return spots;
 }
 
-void writeJet(JsonText& json, const Spot& spot, double t, const Jet& jet) {
-    json.beginObject(Flow::inLine);
+void writeSpot(JsonText& json, const Spot& spot, const Pieces& pieces) {
     json.key("segment");
     json.count(spot.segment);
     json.key("u");
     json.number(spot.u);
     json.key("t");
-    json.number(t);
+    json.number(pieces.knots().parameter(spot));
+}
+
+void writeJet(JsonText& json, const Spot& spot, const Pieces& pieces, const Jet& jet) {
+    json.beginObject(Flow::inLine);
+    writeSpot(json, spot, pieces);
     json.key("position");
     json.numbers(jet.position.coordinates());
     json.key("first");
@@ -155,6 +161,42 @@ void writeJoint(JsonText& json, const Joint& joint) {
     residual("speedRatio", joint.speedRatio);
     json.end();
     json.end();
+}
+
+void writeSpots(JsonText& json, std::string_view key, const std::vector<Spot>& spots,
+                const Pieces& pieces) {
+    json.key(key);
+    json.beginArray();
+    for (const auto& spot : spots) {
+        json.beginObject(Flow::inLine);
+        writeSpot(json, spot, pieces);
+        json.key("position");
+        json.numbers(pieces.position(spot).coordinates());
+        json.end();
+    }
+    json.end();
+}
+
+void writeCrossings(JsonText& json, const SelfCrossings& found, const Pieces& pieces) {
+    json.key("selfIntersections");
+    json.beginArray();
+    for (const auto& crossing : found.crossings) {
+        json.beginObject(Flow::inLine);
+        const auto writeEnd = [&](std::string_view key, const Spot& spot) {
+            json.key(key);
+            json.beginObject(Flow::inLine);
+            writeSpot(json, spot, pieces);
+            json.end();
+        };
+        writeEnd("a", crossing.a);
+        writeEnd("b", crossing.b);
+        json.key("position");
+        json.numbers(crossing.place.coordinates());
+        json.end();
+    }
+    json.end();
+    json.key("selfIntersectionsComplete");
+    json.boolean(found.complete);
 }
 
 void writeWeights(JsonText& json, std::string_view key, const Blend& blend, std::size_t first,
@@ -202,7 +244,7 @@ Result<std::string> evaluate(const SpotQuery& query, std::istream& standardInput
     JsonText json;
     json.beginArray();
     for (const auto& spot : *spots) {
-        writeJet(json, spot, pieces.knots().parameter(spot),
+        writeJet(json, spot, pieces,
                  query.segment ? pieces.jet(spot) : pieces.jetByParameter(spot));
     }
     json.end();
@@ -268,6 +310,11 @@ Result<std::string> measure(const CurveChoice& choice, std::istream& standardInp
         writeJoint(json, joint);
     }
     json.end();
+    writeSpots(json, "cusps", cusps(pieces), pieces);
+    if (pieces.dimension() == 2) {
+        writeSpots(json, "inflections", inflections(pieces), pieces);
+        writeCrossings(json, selfIntersections(pieces), pieces);
+    }
     json.end();
     return std::move(json).finished();
 }

@@ -1,165 +1,202 @@
 #include "core/spline/convert.h"
 
 #include "core/spline/catalog.h"
+#include "core/spline/convert/proposers.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace splineloft {
 namespace {
 
-// Derivatives that differ by less than this part of their size differ by rounding only.
-constexpr double agreement = 1e-12;
+using namespace conversion;
 
-Problem noSuchCurve(std::string what, std::string remedy) {
-    return {"/family", std::move(what), std::move(remedy)};
+/// How curves of one family are found.
+struct Conversion {
+    std::string_view family;
+    void (*propose)(const Shape& shape, Trial& trial);
+    int leastDegree; ///< lower ones are elevated to it
+    int mostDegree;
+    bool onePiece;
+    std::string_view demand; ///< what the family asks of the curve
+};
+
+constexpr int bezierDegree = 255; // 256 points
+constexpr int lagrangeDegree = 23;
+constexpr int splineDegree = 25;
+
+constexpr std::array conversions = {
+    Conversion{"linear", proposeLinear, 1, 1, false, "segments are straight and of even speed"},
+    Conversion{"lagrange", proposeLagrange, 1, lagrangeDegree, true, "it is one polynomial"},
+    Conversion{"parametric-parabola", proposeParametricParabola, 2, 2, false,
+               "parabola follows parabola without a gap"},
+    Conversion{"bezier", proposeBezier, 1, bezierDegree, true, "it is one piece"},
+    Conversion{"bezier-spline", proposeBezierSpline, 3, 3, false,
+               "cubic follows cubic without a gap"},
+    Conversion{"hermite", proposeHermite, 3, 3, false,
+               "one tangent at each point serves the segments on both sides"},
+    Conversion{"cardinal", proposeCardinal, 3, 3, false,
+               "each tangent is a multiple of the chord between the neighbours"},
+    Conversion{"catmull-rom", proposeCatmullRom, 3, 3, false,
+               "each tangent is that of the parabola through the point and its neighbours"},
+    Conversion{"kochanek-bartels", proposeKochanekBartels, 3, 3, false,
+               "tangents are shared out between the chords by tension, continuity and bias"},
+    Conversion{"natural", proposeNatural, 3, 3, false,
+               "second derivatives are continuous, and vanish at free ends"},
+    Conversion{"b-spline", proposeBSpline, 1, splineDegree, false,
+               "a closed one has no gap, and derivatives are those of a polynomial"},
+    Conversion{"bc-spline", proposeBcSpline, 3, 3, false,
+               "each segment is the same symmetric blend of its four points"},
+    Conversion{"duff", proposeDuff, 3, 3, false,
+               "each segment is the same tensioned B-spline of its four points"},
+    Conversion{"beta", proposeBeta, 3, 3, false,
+               "bias and tension are the same at all joints, direction and curvature continuous"},
+    Conversion{"nurbs", proposeBSpline, 1, splineDegree, false, "a closed one has no gap"},
+};
+
+bool isConnected(const Shape& shape) {
+    const auto& pieces = shape.pieces;
+    for (std::size_t i = 0; i < shape.joints(); ++i) {
+        const auto before = (i + shape.size() - 1) % shape.size();
+        const Point end = pieces[before].bezierPoint(pieces.degree());
+        if (shape.isInner(i) && distance(end, shape.joint(i)) > shape.tolerance) {
+            return false;
+        }
+    }
+    return true;
 }
 
-/// The curve's name, coordinates and closing, of another family and without points.
-Curve emptied(const Curve& curve, std::string_view family) {
-    Curve result;
-    result.name = curve.name;
-    result.family = family;
-    result.coordinates = curve.coordinates;
-    result.closed = curve.closed;
-    result.ends = Ends::none;
-    result.points = Points(curve.points.dimension());
-    result.tangents = result.points;
-    completeParameters(result);
-    return result;
+/// A family, other than its own, that can be this curve.
+std::string remedyFor(const Shape& shape, std::string_view own) {
+    const auto& pieces = shape.pieces;
+    const bool isRational = pieces.form() == Form::rational;
+    const bool connected = isConnected(shape);
+    const bool fits = pieces.degree() <= splineDegree && (connected || !shape.closed);
+    const bool cubic = !isRational && (pieces.degree() <= 3 || lowered(pieces, 3, shape.tolerance));
+    if (cubic && connected && own != "bezier-spline") {
+        return "bezier-spline, which keeps every curve of degree 3";
+    }
+    if (!isRational && fits && own != "b-spline") {
+        return "b-spline, which keeps every polynomial curve";
+    }
+    if (fits && own != "nurbs") {
+        return "nurbs, which keeps every rational curve";
+    }
+    const bool single = shape.size() == 1 && !shape.closed && pieces.degree() <= bezierDegree;
+    return single && !isRational && own != "bezier" ? "bezier, which keeps every polynomial piece"
+                                                    : "the family that it has";
 }
 
-/// Whether a piece has weights that differ, so that no polynomial draws it.
-bool isRational(const Pieces& pieces) {
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const double first = pieces[i].weight(0);
-        for (int k = 1; k <= pieces.degree(); ++k) {
-            if (std::abs(pieces[i].weight(k) - first) > agreement * first) {
-                return true;
+/// The shape in a degree that the family has: its own as far as possible.
+std::optional<Shape> suited(const Shape& shape, const Conversion& target) {
+    Shape result = shape;
+    const int own = shape.pieces.degree();
+    const bool isRational = shape.pieces.form() == Form::rational;
+    if (own > 3 && target.mostDegree > 3 && !isRational) {
+        for (int degree = 3; degree < std::min(own, target.mostDegree + 1); ++degree) {
+            if (auto low = lowered(shape.pieces, degree, shape.tolerance)) {
+                result.pieces = std::move(*low);
+                return result;
             }
         }
     }
-    return false;
+    const int degree = std::clamp(own, target.leastDegree, target.mostDegree);
+    auto pieces =
+        isRational && own > degree ? std::nullopt : ofDegree(shape.pieces, degree, shape.tolerance);
+    if (!pieces) {
+        return std::nullopt;
+    }
+    result.pieces = std::move(*pieces);
+    return result;
 }
 
-std::variant<Curve, Problem> toBezierSpline(const Curve& curve, const Pieces& pieces) {
-    if (pieces.degree() > 3) {
-        return noSuchCurve("a curve of degree " + std::to_string(pieces.degree()) +
-                               " has no cubic pieces",
-                           "a curve of degree 3 at most");
+/// What keeps the shape from being of the family, as far as that is seen without trying.
+std::optional<std::string> obstacle(const Shape& shape, const Conversion& target,
+                                    const Family& family) {
+    const std::string name(family.id);
+    if (shape.closed && !family.closable) {
+        return "a closed curve cannot be of the family " + name;
     }
-    Curve result = emptied(curve, "bezier-spline");
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const auto bezier = elevated(pieces[i], 3);
-        for (int k = 0; k < 3; ++k) {
-            result.points.append(bezier[static_cast<std::size_t>(k)]);
+    if (shape.pieces.form() == Form::rational && !family.usesWeights) {
+        return "the curve is rational, its weights differ within a segment, and the family " +
+               name + " has none";
+    }
+    if (target.onePiece && shape.size() != 1) {
+        return "the curve has " + std::to_string(shape.size()) + " pieces, one of the family " +
+               name + " has 1";
+    }
+    return std::nullopt;
+}
+
+/// The points in the size that they had.
+Points resized(const Points& table, int exponent) {
+    Points result(table.dimension());
+    result.reserve(table.size());
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        Point place = table.at(i);
+        for (int c = 0; c < place.dimension(); ++c) {
+            place[c] = std::scalbn(place[c], exponent);
         }
-        if (i + 1 == pieces.size() && !curve.closed) {
-            result.points.append(bezier[3]);
-        }
+        result.append(place);
     }
     return result;
 }
 
-std::variant<Curve, Problem> toHermite(const Curve& curve, const Pieces& pieces) {
-    if (pieces.degree() > 3) {
-        return toBezierSpline(curve, pieces); // which says why not
+std::variant<Curve, Problem> searched(const Curve& curve, const Shape& shape,
+                                      const Conversion& target, const Family& family) {
+    const auto refused = [&](std::string what) {
+        return Problem{"/family", std::move(what), remedyFor(shape, curve.family)};
+    };
+    if (const auto reason = obstacle(shape, target, family)) {
+        return refused(*reason);
     }
-    Curve result = emptied(curve, "hermite");
-    const auto count = pieces.size();
-    for (std::size_t i = 0; i < count + (curve.closed ? 0 : 1); ++i) {
-        const bool last = i == count;
-        const Jet jet = last ? pieces.jet({count - 1, 1}) : pieces.jet({i, 0});
-        const bool inner = !last && (i > 0 || curve.closed);
-        if (inner) {
-            const Jet before = pieces.jet({(i + count - 1) % count, 1});
-            if (distance(before.first, jet.first) > agreement * norm(before.first)) {
-                return noSuchCurve("where segment " + std::to_string(i) +
-                                       " begins the derivative by u jumps, and a Hermite curve has "
-                                       "one tangent at each point",
-                                   "bezier-spline, which keeps every curve of degree 3");
-            }
-        }
-        result.points.append(jet.position);
-        result.tangents.append(jet.first);
+    const auto suitable = suited(shape, target);
+    if (!suitable) {
+        return refused("a curve of degree " + std::to_string(shape.pieces.degree()) +
+                       " cannot be of the family " + std::string(family.id) +
+                       ", which has degree " + std::to_string(target.mostDegree) + " at most");
     }
-    return result;
-}
-
-std::variant<Curve, Problem> toOnePiece(const Curve& curve, const Pieces& pieces) {
-    if (pieces.size() != 1 || curve.closed) {
-        return noSuchCurve("the curve has " + std::to_string(pieces.size()) + " pieces",
-                           "a curve of one piece, or bezier-spline");
+    Trial trial(shape, curve, family.id);
+    target.propose(*suitable, trial);
+    if (!trial.found()) {
+        return refused("of the family " + std::string(family.id) + " there is no such curve: " +
+                       trial.whyNot() + " (" + std::string(target.demand) + ")");
     }
-    Curve result = emptied(curve, "bezier");
-    for (int k = 0; k <= pieces.degree(); ++k) {
-        result.points.append(pieces[0].bezierPoint(k));
-    }
-    return result;
-}
-
-std::variant<Curve, Problem> toLinear(const Curve& curve, const Pieces& pieces) {
-    if (pieces.degree() != 1) {
-        return noSuchCurve("a curve of degree " + std::to_string(pieces.degree()) +
-                               " is not made of straight lines",
-                           "a curve of degree 1");
-    }
-    Curve result = emptied(curve, "linear");
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        result.points.append(pieces[i].bezierPoint(0));
-    }
-    if (!curve.closed) {
-        result.points.append(pieces[pieces.size() - 1].bezierPoint(1));
+    Curve result = *trial.found();
+    result.points = resized(result.points, shape.exponent);
+    result.tangents = resized(result.tangents, shape.exponent);
+    if (const auto problem = problemOf(result)) { // beyond the largest number
+        return refused("its " + problem->place + " " + problem->what);
     }
     return result;
 }
 
 } // namespace
 
-std::vector<Point> elevated(const Piece& piece, int degree) {
-    std::vector<Point> points;
-    for (int k = 0; k <= piece.degree; ++k) {
-        points.push_back(piece.bezierPoint(k));
-    }
-    for (int d = piece.degree; d < degree; ++d) {
-        std::vector<Point> next = {points.front()};
-        for (int k = 1; k <= d; ++k) {
-            const double share = static_cast<double>(k) / (d + 1);
-            const auto at = static_cast<std::size_t>(k);
-            next.push_back(share * points[at - 1] + (1 - share) * points[at]);
-        }
-        next.push_back(points.back());
-        points = std::move(next);
-    }
-    return points;
-}
-
 std::variant<Curve, Problem> converted(const Curve& curve, std::string_view family) {
+    if (auto problem = problemOf(curve)) {
+        return *problem;
+    }
     if (curve.family == family) {
         return curve;
+    }
+    const auto target = std::ranges::find(conversions, family, &Conversion::family);
+    const Family* described = findFamily(family);
+    if (target == conversions.end() || described == nullptr) {
+        return Problem{"/family", "there is no conversion to \"" + std::string(family) + "\"",
+                       "an id from the catalog of families, such as bezier-spline"};
     }
     const Pieces pieces = piecesOf(curve);
     if (pieces.empty()) {
         return Problem{"/points", "has too few points for a piece",
                        std::to_string(fewestPoints(curve)) + " points or more"};
     }
-    if (isRational(pieces)) {
-        return noSuchCurve("the curve is rational, and no polynomial draws it exactly",
-                           "a curve whose weights, or local parameters, are all the same");
+    if (!std::ranges::all_of(pieces.bezier(), [](double x) { return std::isfinite(x); })) {
+        return Problem{"/points", "are too far apart: the curve leaves the range of numbers",
+                       "points nearer to the origin"};
     }
-    if (family == "bezier-spline") {
-        return toBezierSpline(curve, pieces);
-    }
-    if (family == "hermite") {
-        return toHermite(curve, pieces);
-    }
-    if (family == "bezier") {
-        return toOnePiece(curve, pieces);
-    }
-    if (family == "linear") {
-        return toLinear(curve, pieces);
-    }
-    return noSuchCurve("there is no conversion to \"" + std::string(family) + "\"",
-                       "bezier-spline, hermite, bezier or linear");
+    return searched(curve, shapeOf(pieces, curve.closed), *target, *described);
 }
 
 } // namespace splineloft

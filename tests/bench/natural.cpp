@@ -35,24 +35,24 @@ Graph makeGraph(std::size_t size, double leastStep) {
 constexpr double unevenStep = 0.5;
 
 Trial ourBuild(const Graph& work) {
-    const auto built = std::make_shared<ours::GraphAt>();
+    const auto build = ours::naturalBuild(work.x, work.y);
     return {.pass =
-                [built, &work] {
-                    *built = ours::naturalGraph(work.x, work.y);
+                [build] {
+                    build.run();
                     benchmark::ClobberMemory();
                 },
             .error =
-                [built, &work] {
+                [build, &work] {
                     std::vector<double> found(askedOfBuilt);
-                    (*built)(std::span(work.asked).first(askedOfBuilt), found);
+                    build.at(std::span(work.asked).first(askedOfBuilt), found);
                     return deviation<double>(found, std::span(work.answers).first(askedOfBuilt));
                 }};
 }
 
 Trial ourEvaluation(const Graph& work) {
-    const auto graph = ours::naturalGraph(work.x, work.y);
+    const auto build = ours::naturalBuild(work.x, work.y);
     return filling<double>(work.answers,
-                           [graph, &work](std::span<double> out) { graph(work.asked, out); });
+                           [build, &work](std::span<double> out) { build.at(work.asked, out); });
 }
 
 void addRows(Contest& contest) {
@@ -100,9 +100,6 @@ const Graph& smallEvenGraph() {
 
 void addNatural(Contest& contest) {
     addRows(contest);
-    if (!ours::hasNaturalGraph()) {
-        return;
-    }
     contest.entries.insert(
         contest.entries.end(),
         {{"natural-build-1e4", ourName, [] { return ourBuild(smallGraph()); }},

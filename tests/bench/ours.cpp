@@ -1,22 +1,14 @@
 #include "tests/bench/ours.h"
 
 #include "core/spline/curve.h"
+#include "core/spline/dense.h"
 #include "core/spline/length.h"
+#include "core/spline/natural_function.h"
 #include "core/spline/nearest.h"
+#include "core/spline/power_form.h"
 #include "core/spline/sample.h"
 
 #include <memory>
-
-// Entrances that are on their way are taken as soon as they are there. Without the first, single
-// evaluations stand in for it; without the second, the table says that it is not there.
-#if __has_include("core/spline/dense.h")
-#include "core/spline/dense.h"
-#define BENCH_HAS_DENSE
-#endif
-#if __has_include("core/spline/natural_function.h")
-#include "core/spline/natural_function.h"
-#define BENCH_HAS_NATURAL_FUNCTION
-#endif
 
 namespace splineloft::bench::ours {
 namespace {
@@ -62,16 +54,11 @@ Pieces clampedBSpline(std::span<const double> points, int degree) {
 }
 
 PositionsAt positionsAt(const Pieces& pieces) {
-    return [pieces](std::span<const double> t, std::span<double> out) {
-        for (std::size_t i = 0; i < t.size(); ++i) {
-            const auto position = pieces.position(pieces.knots().locate(t[i]));
-            out[2 * i] = position[0];
-            out[2 * i + 1] = position[1];
-        }
+    return [form = PowerForm(pieces)](std::span<const double> t, std::span<double> out) {
+        form.positions(t, out);
     };
 }
 
-#ifdef BENCH_HAS_DENSE
 std::size_t positionsSize(const Pieces& pieces, std::size_t perPiece) {
     return placesPerPiece(pieces, perPiece) * static_cast<std::size_t>(pieces.dimension());
 }
@@ -99,79 +86,13 @@ Jets jets(const Pieces& pieces, std::size_t perPiece) {
                     return numbers;
                 }};
 }
-#else
-namespace {
 
-template <class Number>
-void writePositions(const Pieces& pieces, std::size_t perPiece, std::span<Number> out) {
-    auto* next = out.data();
-    for (std::size_t segment = 0; segment < pieces.size(); ++segment) {
-        for (std::size_t k = 0; k < perPiece; ++k) {
-            const double u = static_cast<double>(k) / static_cast<double>(perPiece);
-            const auto position = pieces.position({segment, u});
-            for (int c = 0; c < pieces.dimension(); ++c) {
-                *next++ = static_cast<Number>(position[c]);
-            }
-        }
-    }
-}
-
-} // namespace
-
-std::size_t positionsSize(const Pieces& pieces, std::size_t perPiece) {
-    return pieces.size() * perPiece * static_cast<std::size_t>(pieces.dimension());
-}
-
-void positions(const Pieces& pieces, std::size_t perPiece, std::span<double> out) {
-    writePositions(pieces, perPiece, out);
-}
-
-void positions(const Pieces& pieces, std::size_t perPiece, std::span<float> out) {
-    writePositions(pieces, perPiece, out);
-}
-
-Jets jets(const Pieces& pieces, std::size_t perPiece) {
-    const auto spots = spreadPerPiece(pieces, perPiece);
-    const auto table = std::make_shared<std::vector<Jet>>(spots.size());
-    return {.run =
-                [pieces, spots, table] {
-                    for (std::size_t i = 0; i < spots.size(); ++i) {
-                        (*table)[i] = pieces.jet(spots[i]);
-                    }
-                },
-            .result =
-                [table] {
-                    std::vector<double> numbers;
-                    for (const auto& jet : *table) {
-                        numbers.insert(numbers.end(),
-                                       {jet.position[0], jet.position[1], jet.first[0],
-                                        jet.first[1], jet.curvature.value_or(0)});
-                    }
-                    return numbers;
-                }};
-}
-#endif
-
-#ifdef BENCH_HAS_NATURAL_FUNCTION
-bool hasNaturalGraph() {
-    return true;
-}
-
-GraphAt naturalGraph(std::span<const double> x, std::span<const double> y) {
+Build naturalBuild(std::span<const double> x, std::span<const double> y) {
     const auto function = std::make_shared<NaturalFunction>(x, y);
-    return [function](std::span<const double> places, std::span<double> out) {
-        function->evaluate(places, out);
-    };
+    return {.run = [=] { function->refit(x, y); },
+            .at = [=](std::span<const double> places,
+                      std::span<double> out) { function->evaluate(places, out); }};
 }
-#else
-bool hasNaturalGraph() {
-    return false;
-}
-
-GraphAt naturalGraph(std::span<const double>, std::span<const double>) {
-    return {};
-}
-#endif
 
 double length(const Pieces& pieces) {
     return ArcLength(pieces).total();

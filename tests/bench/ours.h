@@ -37,11 +37,13 @@ struct Jets {
 };
 Jets jets(const Pieces& pieces, std::size_t perPiece);
 
-/// The natural spline through y over x; what is returned evaluates it at many x.
-using GraphAt = std::function<void(std::span<const double> x, std::span<double> out)>;
-/// Whether the library has it.
-bool hasNaturalGraph();
-GraphAt naturalGraph(std::span<const double> x, std::span<const double> y);
+/// The natural spline through y over x: built anew by `run` in the memory it has, and evaluated at
+/// many x. The spans must outlive it.
+struct Build {
+    std::function<void()> run;
+    std::function<void(std::span<const double> x, std::span<double> out)> at;
+};
+Build naturalBuild(std::span<const double> x, std::span<const double> y);
 
 double length(const Pieces& pieces);
 

@@ -128,6 +128,21 @@ TEST(CommandLine, samples) {
     EXPECT_NE(even.out.find("\n2,6,1,4,7,0,1,0\n"), std::string::npos) << even.out;
 }
 
+/// A loop, as a plane curve has one: it crosses itself once and does not turn the other way.
+TEST(CommandLine, measuresWhereACurveCrossesItself) {
+    const auto ran = run({"measure", "-"}, curves(R"({"family": "bezier",
+        "points": [[1, 1], [9, 7], [-3, 7], [5, 1]]})"));
+    ASSERT_EQ(ran.exitCode(), 0) << ran.err;
+    const auto measured = json::parse(ran.out);
+    ASSERT_EQ(measured["selfIntersections"].size(), 1u);
+    const auto& crossing = measured["selfIntersections"][0];
+    EXPECT_NEAR(crossing["position"][0].get<double>(), 3, 1e-12);
+    EXPECT_NEAR(crossing["a"]["u"].get<double>() + crossing["b"]["u"].get<double>(), 1, 1e-12);
+    EXPECT_EQ(measured["selfIntersectionsComplete"], true);
+    EXPECT_TRUE(measured["inflections"].empty());
+    EXPECT_TRUE(measured["cusps"].empty());
+}
+
 TEST(CommandLine, measures) {
     const auto ran = run({"measure", "-", "--curve", "0"}, sample); // (1, 2), (4, 6), (4, 7)
     ASSERT_EQ(ran.exitCode(), 0) << ran.err;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace splineloft {
@@ -68,6 +69,63 @@ TEST(Convert, refusesWithAReason) {
     EXPECT_NE(std::get<Problem>(result).what.find("degree 5"), std::string::npos);
     EXPECT_TRUE(std::holds_alternative<Problem>(converted(curve, "duff")));
     EXPECT_TRUE(std::holds_alternative<Problem>(converted(curve, "bezier")));
+}
+
+TEST(Convert, saysWhereItWouldDifferAndWhatWouldDo) {
+    Curve curve;
+    curve.family = "bezier-spline";
+    curve.ends = Ends::none;
+    curve.points = {{11, 3}, {12, 5}, {14, 6}, {17, 7}, {19, 5}, {23, 4}, {25, 9}};
+    const auto result = converted(curve, "duff");
+    ASSERT_TRUE(std::holds_alternative<Problem>(result));
+    const auto& problem = std::get<Problem>(result);
+    EXPECT_NE(problem.what.find("segment"), std::string::npos) << problem.what;
+    EXPECT_NE(problem.what.find("would differ by"), std::string::npos) << problem.what;
+    EXPECT_EQ(problem.remedy.find("b-spline"), 0U) << problem.remedy; // it is a Bézier spline
+    EXPECT_TRUE(std::holds_alternative<Curve>(converted(curve, "b-spline")));
+    const auto unknown = converted(curve, "kappa");
+    EXPECT_NE(std::get<Problem>(unknown).what.find("kappa"), std::string::npos);
+    curve.ends = Ends::clamped;
+    EXPECT_EQ(std::get<Problem>(converted(curve, "duff")).place, "/ends");
+}
+
+TEST(Convert, bSplinesKeepTheParameterOthersTheirPlaceOnThePiece) {
+    Curve curve;
+    curve.family = "catmull-rom";
+    curve.parameters["alpha"] = 0.5;
+    curve.points = {{11, 3}, {14, 8}, {19, 4}, {23, 9}, {30, 2}};
+    const auto kept = [&](const std::string& family) {
+        const auto result = converted(curve, family);
+        return differenceOf(piecesOf(curve), piecesOf(std::get<Curve>(result)))->sameParameter;
+    };
+    EXPECT_TRUE(kept("b-spline"));
+    EXPECT_TRUE(kept("nurbs"));
+    EXPECT_FALSE(kept("bezier-spline"));
+    // Through Bézier points the intervals are lost, but the tangents still tell alpha.
+    const auto bezier = std::get<Curve>(converted(curve, "bezier-spline"));
+    const auto back = std::get<Curve>(converted(bezier, "catmull-rom"));
+    EXPECT_EQ(back.parameters.at("alpha"), 0.5);
+    EXPECT_EQ(back.points.size(), curve.points.size());
+    EXPECT_EQ(back.ends, Ends::doubled);
+}
+
+TEST(Convert, aCircleIsNurbsOnly) {
+    Curve curve;
+    curve.family = "nurbs";
+    curve.ends = Ends::none;
+    curve.parameters["degree"] = 2;
+    curve.points = {{9, 4}, {9, 6}, {7, 6}, {5, 6}, {5, 4}, {5, 2}, {7, 2}, {9, 2}, {9, 4}};
+    curve.weights = {1, std::sqrt(0.5), 1, std::sqrt(0.5), 1, std::sqrt(0.5), 1, std::sqrt(0.5), 1};
+    curve.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
+    for (const auto& family : familyIds()) {
+        if (family != "nurbs") {
+            const auto result = converted(curve, family);
+            ASSERT_TRUE(std::holds_alternative<Problem>(result)) << family;
+            EXPECT_NE(std::get<Problem>(result).what.find("rational"), std::string::npos);
+        }
+    }
+    std::ranges::fill(curve.weights, 3.0); // which weigh nothing together
+    expectSame(curve, std::get<Curve>(converted(curve, "bezier-spline")), 1e-14, "equal weights");
 }
 
 TEST(Elevated, degreeFromTwoToSevenIsTheSamePiece) {
