@@ -58,8 +58,24 @@ bool allRise(std::span<const double> x) {
     return signs >> 63 != 0;
 }
 
+/// Slopes on intervals beyond this ratio could not be told apart, or overflow.
+constexpr double mostUneven = 1e100;
+
+void requireComparable(std::span<const double> x) {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        least = std::min(least, x[i] - x[i - 1]);
+    }
+    const double whole = x.back() / 2 - x.front() / 2;
+    if (least < whole / mostUneven) {
+        throw std::invalid_argument("two x are 10^100 times closer than the first and the "
+                                    "last; right would be values not so far apart");
+    }
+}
+
 void requireRising(std::span<const double> x) {
     if (allRise(x) && std::isfinite(x.front()) && std::isfinite(x.back())) {
+        requireComparable(x);
         return;
     }
     requireFinite('x', x);

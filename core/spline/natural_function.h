@@ -17,8 +17,8 @@ namespace splineloft {
 class NaturalFunction {
   public:
     /// Through `y.size()` points, at least 2; x rises. Both are copied. O(n), a few ns a point.
-    /// Throws std::invalid_argument where a value is not finite, x does not rise, or the sizes do
-    /// not fit, with what would be right.
+    /// Throws std::invalid_argument where a value is not finite, x does not rise, intervals
+    /// are too uneven, or the sizes do not fit, with what would be right.
     NaturalFunction(std::span<const double> x, std::span<const double> y);
 
     /// Takes other points instead, in the memory of these; as the constructor, but where that

@@ -320,5 +320,15 @@ TEST(Tridiagonal, inChainsNeedsNoDominantDiagonal) {
     EXPECT_EQ(families::solveTridiagonal(rows), families::solveRowByRow(rows));
 }
 
+TEST(NaturalFunction, refusesIntervalsTooUnevenForADouble) {
+    const std::vector y{1.0, 2.0, 3.0};
+    for (const double nearest : {5e-324, 1e-300, 1e-101}) {
+        const std::vector x{0.0, nearest, 1.0};
+        EXPECT_THROW(NaturalFunction(x, y), std::invalid_argument) << nearest;
+    }
+    const NaturalFunction bearable(std::vector{0.0, 1e-90, 1.0}, y);
+    EXPECT_TRUE(std::isfinite(bearable(0.5)));
+}
+
 } // namespace
 } // namespace splineloft
