@@ -4,13 +4,13 @@
 #include "core/formats/file.h"
 #include "core/formats/json_text.h"
 #include "core/formats/numbers.h"
-#include "core/spline/bounds.h"
 #include "core/spline/catalog.h"
+#include "core/spline/change/convert.h"
 #include "core/spline/continuity.h"
-#include "core/spline/convert.h"
-#include "core/spline/length.h"
-#include "core/spline/self_intersect.h"
-#include "core/spline/turning.h"
+#include "core/spline/measure/bounds.h"
+#include "core/spline/measure/length.h"
+#include "core/spline/shape/self_intersect.h"
+#include "core/spline/shape/turning.h"
 
 #include <algorithm>
 #include <istream>

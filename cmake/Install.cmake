@@ -9,7 +9,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/splineloft)
 # What a user may include; how we write JSON and how families blend is our own affair.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${headers}
         FILES_MATCHING PATTERN "*.h"
-        PATTERN "families" EXCLUDE PATTERN "lanes" EXCLUDE PATTERN "convert" EXCLUDE
+        PATTERN "families" EXCLUDE PATTERN "lanes" EXCLUDE
         PATTERN "arrangement.h" EXCLUDE PATTERN "json_tape.h" EXCLUDE
         PATTERN "json_text.h" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/core/splineloft.h DESTINATION ${headers})

@@ -2,7 +2,7 @@
 
 #include "core/document/edits.h"
 #include "core/spline/catalog.h"
-#include "core/spline/convert.h"
+#include "core/spline/change/convert.h"
 #include "ui/canvas/grid.h"
 #include "ui/canvas/hints.h"
 #include "ui/canvas/viewport.h"

@@ -1,7 +1,7 @@
 #include "ui/study.h"
 
 #include "core/document/lists.h"
-#include "core/spline/bernstein.h"
+#include "core/spline/algebra/bernstein.h"
 #include "core/spline/problem.h"
 #include "ui/canvas/viewport.h"
 

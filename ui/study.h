@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/spline/curve.h"
-#include "core/spline/length.h"
+#include "core/spline/measure/length.h"
 #include "core/spline/traits.h"
 #include "ui/canvas/view.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/formats/result.h"
 #include "core/spline/curve.h"
-#include "core/spline/sample.h"
+#include "core/spline/measure/sample.h"
 
 #include <string>
 #include <variant>

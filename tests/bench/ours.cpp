@@ -1,12 +1,12 @@
 #include "tests/bench/ours.h"
 
 #include "core/spline/curve.h"
-#include "core/spline/dense.h"
-#include "core/spline/length.h"
-#include "core/spline/natural_function.h"
-#include "core/spline/nearest.h"
-#include "core/spline/power_form.h"
-#include "core/spline/sample.h"
+#include "core/spline/fast/dense.h"
+#include "core/spline/fast/natural_function.h"
+#include "core/spline/fast/power_form.h"
+#include "core/spline/measure/length.h"
+#include "core/spline/measure/nearest.h"
+#include "core/spline/measure/sample.h"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 // Any curve as every other family: the same curve, or a refusal in words.
 #include "core/spline/catalog.h"
-#include "core/spline/convert.h"
+#include "core/spline/change/convert.h"
 #include "tests/fuzz/curve_from_bytes.h"
 
 #include <algorithm>

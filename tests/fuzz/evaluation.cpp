@@ -1,6 +1,6 @@
 // Pieces, blends, jets, ladder, joints and bounds of any curve: finite, and of one mind.
-#include "core/spline/bounds.h"
 #include "core/spline/continuity.h"
+#include "core/spline/measure/bounds.h"
 #include "core/spline/problem.h"
 #include "core/spline/traits.h"
 #include "tests/fuzz/curve_from_bytes.h"

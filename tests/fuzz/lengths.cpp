@@ -1,7 +1,7 @@
 // The length of any curve: finite, never less than the way straight through, and found again.
-#include "core/spline/length.h"
+#include "core/spline/measure/length.h"
+#include "core/spline/measure/sample.h"
 #include "core/spline/problem.h"
-#include "core/spline/sample.h"
 #include "tests/fuzz/curve_from_bytes.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // The nearest spot of any curve to any place: none of a few others is nearer.
-#include "core/spline/nearest.h"
+#include "core/spline/measure/nearest.h"
 #include "core/spline/problem.h"
 #include "tests/fuzz/curve_from_bytes.h"
 

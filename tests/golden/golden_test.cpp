@@ -2,7 +2,7 @@
 // (tests/golden/README.md says how).
 #include "core/spline/catalog.h"
 #include "core/spline/curve.h"
-#include "core/spline/length.h"
+#include "core/spline/measure/length.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #include "hand.h"
 
 #include "core/spline/catalog.h"
-#include "core/spline/nearest.h"
+#include "core/spline/measure/nearest.h"
 #include "ui/canvas/grid.h"
 
 #include <gtest/gtest.h>

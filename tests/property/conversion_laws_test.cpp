@@ -1,7 +1,7 @@
 // Laws of conversion: whatever the curve, each family either is the same curve or says why not, and
 // what came from a family goes back to it.
 #include "core/spline/catalog.h"
-#include "core/spline/convert.h"
+#include "core/spline/change/convert.h"
 #include "tests/property/random_curves.h"
 
 #include <gtest/gtest.h>

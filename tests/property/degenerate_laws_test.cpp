@@ -2,10 +2,10 @@
 // family may throw, divide by zero or say something that is not a number.
 #include "tests/property/random_curves.h"
 
-#include "core/spline/length.h"
-#include "core/spline/nearest.h"
+#include "core/spline/measure/length.h"
+#include "core/spline/measure/nearest.h"
+#include "core/spline/measure/sample.h"
 #include "core/spline/problem.h"
-#include "core/spline/sample.h"
 #include "core/spline/traits.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Whatever the family: the ladder's tip is the Bernstein sum, derivatives are the limits of
 // differences, and the blends of the controls give the same curve as the coordinates do.
-#include "core/spline/hodograph.h"
+#include "core/spline/shape/hodograph.h"
 #include "tests/property/random_curves.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Values that stand in print elsewhere, each with its source; and lengths with a closed form.
-#include "core/spline/length.h"
+#include "core/spline/measure/length.h"
 #include "tests/property/random_curves.h"
 
 #include <cmath>

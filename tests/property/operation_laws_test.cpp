@@ -1,13 +1,13 @@
 // What geometric operations promise, on a hundred thousand random curves.
 #include "tests/property/random_pieces.h"
 
-#include "core/spline/flatten.h"
-#include "core/spline/intersect.h"
-#include "core/spline/nearest.h"
-#include "core/spline/osculating.h"
-#include "core/spline/self_intersect.h"
-#include "core/spline/subdivide.h"
-#include "core/spline/turning.h"
+#include "core/spline/measure/nearest.h"
+#include "core/spline/shape/flatten.h"
+#include "core/spline/shape/intersect.h"
+#include "core/spline/shape/osculating.h"
+#include "core/spline/shape/self_intersect.h"
+#include "core/spline/shape/subdivide.h"
+#include "core/spline/shape/turning.h"
 
 #include <algorithm>
 #include <cmath>

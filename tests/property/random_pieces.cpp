@@ -1,6 +1,6 @@
 #include "tests/property/random_pieces.h"
 
-#include "core/spline/bounds.h"
+#include "core/spline/measure/bounds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Matrices against the sources' pages and against what the families really draw.
-#include "core/spline/basis_change.h"
+#include "core/spline/change/basis_change.h"
 
 #include "tests/property/random_curves.h"
 

@@ -1,6 +1,6 @@
 // de Boor, Barry and Goldman, Neville: the tip is the point of the curve, and every rung lies on
 // the line that it says it lies on.
-#include "core/spline/constructions.h"
+#include "core/spline/change/constructions.h"
 #include "tests/property/random_curves.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Conversion, extrema and zeros: the curve stays the same curve, to rounding.
-#include "core/spline/bounds.h"
+#include "core/spline/algebra/roots.h"
 #include "core/spline/catalog.h"
-#include "core/spline/convert.h"
-#include "core/spline/roots.h"
+#include "core/spline/change/convert.h"
+#include "core/spline/measure/bounds.h"
 #include "tests/property/random_curves.h"
 
 #include <gtest/gtest.h>

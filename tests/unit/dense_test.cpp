@@ -1,5 +1,5 @@
-#include "core/spline/dense.h"
-#include "core/spline/lanes/direct_sampler.h"
+#include "core/spline/fast/dense.h"
+#include "core/spline/fast/lanes/direct_sampler.h"
 #include "tests/unit/random_pieces.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/spline/flatten.h"
+#include "core/spline/shape/flatten.h"
 
 #include "tests/property/random_pieces.h"
 

@@ -1,4 +1,4 @@
-#include "core/spline/intersect.h"
+#include "core/spline/shape/intersect.h"
 
 #include "tests/property/random_pieces.h"
 

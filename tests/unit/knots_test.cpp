@@ -1,7 +1,7 @@
 // Knots come in and degrees go up, and the curve stays the same curve.
 #include "core/spline/catalog.h"
-#include "core/spline/convert.h"
-#include "core/spline/knots.h"
+#include "core/spline/change/convert.h"
+#include "core/spline/change/knots.h"
 #include "tests/property/random_curves.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,14 @@
 // Arc length against closed forms, at cusps, and on pieces that hardly move.
-#include "core/spline/length.h"
+#include "core/spline/measure/length.h"
 
-#include "core/spline/sample.h"
+#include "core/spline/measure/sample.h"
+#include "tests/property/hard_pieces.h"
 #include "tests/property/random_curves.h"
 
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace splineloft {
 namespace {
@@ -78,12 +81,98 @@ TEST(Length, ofRestingPiecesIsFiniteAndQuick) {
     EXPECT_LT(std::chrono::duration<double>(took).count(), 1);
 }
 
+TEST(Length, ofTheExactCircle) {
+    for (const double radius : {1.0, 3.25, 1e150, 1e-150}) {
+        const Pieces circle = testing_curves::circle({2 * radius, -radius}, radius);
+        const double wanted = 2 * std::numbers::pi * radius;
+        EXPECT_NEAR(ArcLength(circle).total(), wanted, 1e-13 * wanted) << radius;
+        EXPECT_NEAR(lengthOf(circle), wanted, 1e-13 * wanted) << radius;
+        EXPECT_NEAR(lengthOf(circle, 1e-6 * radius), wanted, 1e-6 * radius) << radius;
+        const ArcLength lengths(circle);
+        const Spot eighth = lengths.spotAt(lengths.total() / 8);
+        EXPECT_EQ(eighth.segment, 0u);
+        EXPECT_NEAR(eighth.u, 0.5, 1e-13) << "an eighth is the middle of the first quarter";
+    }
+}
+
+TEST(Length, toNoToleranceIsToFullPrecision) {
+    const Pieces parabola = bezierPiece({{100, 50}, {100.5, 50}, {101, 51}});
+    const double wanted = std::sqrt(5) / 2 + std::asinh(2.0) / 4;
+    for (const double tolerance : {0.0, -1.0, std::nan(""), 1e-300}) {
+        EXPECT_NEAR(lengthOf(parabola, tolerance), wanted, promised * wanted) << tolerance;
+    }
+    EXPECT_NEAR(lengthOf(parabola, 1e-3), wanted, 1e-3);
+    EXPECT_NEAR(lengthOf(parabola, 1e300), wanted, wanted) << "any answer would do";
+    EXPECT_EQ(lengthOf(Pieces(), 1e-9), 0);
+}
+
+TEST(Length, ofHugeAndTinyPiecesIsFinite) {
+    const std::vector<double> shape = {0, 0, 1, 1, 0, 1, 1, 0}; // the cusped cubic
+    const double wanted = 2 * std::sqrt(2) - 1;
+    for (const double scale : {0x1p1000, 0x1p500, 0x1p-500, 0x1p-1000}) {
+        for (const auto form : {Form::polynomial, Form::rational}) {
+            std::vector<double> bezier;
+            for (std::size_t i = 0; i < shape.size(); i += 2) {
+                bezier.insert(bezier.end(), {scale * shape[i], scale * shape[i + 1]});
+                if (form == Form::rational) {
+                    bezier.push_back(1);
+                }
+            }
+            const Pieces pieces = testing_curves::onePiece(3, 2, bezier, form);
+            const ArcLength lengths(pieces);
+            EXPECT_NEAR(lengths.total() / scale, wanted, promised * wanted) << scale;
+            EXPECT_NEAR(lengths.upTo(lengths.spotAt(0.3 * lengths.total())) / lengths.total(), 0.3,
+                        promised);
+            EXPECT_EQ(spread(pieces, lengths, Even::length, 100).size(), 100u);
+        }
+    }
+    const double most = std::numeric_limits<double>::max();
+    for (const double huge : {most, 1e308}) {
+        const Pieces pieces =
+            testing_curves::onePiece(3, 2, {-huge, -huge, huge, huge, -huge, huge, huge, -huge});
+        const ArcLength lengths(pieces);
+        EXPECT_EQ(lengths.total(), most) << "lengths beyond the largest double are that";
+        for (const auto& spot : spread(pieces, lengths, Even::length, 9)) {
+            EXPECT_TRUE(spot.u >= 0 && spot.u <= 1) << spot.u;
+        }
+    }
+}
+
+/// A curve that crawls back and forth along a line has corners in its speed wherever it turns.
+TEST(Length, ofLegsThereAndBackInEveryForm) {
+    // x = T5(t), the Chebyshev polynomial, for t from -1 to 1: 5 legs of length 2.
+    const std::vector<double> x = {-1, 9, -21, 21, -9, 1};
+    for (const int dimension : {1, 2, 3, 4}) {
+        std::vector<double> bezier, weighted;
+        for (const double value : x) {
+            for (int c = 0; c < dimension; ++c) {
+                bezier.push_back((c + 1) * value);
+                weighted.push_back((c + 1) * value);
+            }
+            weighted.push_back(1);
+        }
+        double unit = 0;
+        for (int c = 0; c < dimension; ++c) {
+            unit += (c + 1) * (c + 1);
+        }
+        const double wanted = 10 * std::sqrt(unit);
+        EXPECT_NEAR(ArcLength(testing_curves::onePiece(5, dimension, bezier)).total(), wanted,
+                    promised * wanted)
+            << dimension;
+        EXPECT_NEAR(
+            ArcLength(testing_curves::onePiece(5, dimension, weighted, Form::rational)).total(),
+            wanted, promised * wanted)
+            << dimension;
+    }
+}
+
 TEST(Length, ofNothingIsNothing) {
     const Pieces none;
     const ArcLength lengths(none);
     EXPECT_EQ(lengths.total(), 0);
     EXPECT_EQ(lengths.spotAt(3), Spot{});
     EXPECT_EQ(lengths.upTo({}), 0);
+    EXPECT_EQ(lengths.spotsAt(std::vector{1.0, 2.0}), std::vector<Spot>(2));
 }
 
 TEST(Length, outsideTheCurveIsTheNearerEnd) {
@@ -92,6 +181,9 @@ TEST(Length, outsideTheCurveIsTheNearerEnd) {
     EXPECT_EQ(lengths.spotAt(-1), (Spot{0, 0}));
     EXPECT_EQ(lengths.spotAt(5.1), (Spot{0, 1}));
     EXPECT_EQ(lengths.spotAt(std::nan("")), (Spot{0, 0}));
+    EXPECT_EQ(lengths.spotsAt(std::vector<double>{-1, 0, 5.1, 7}),
+              (std::vector<Spot>{{0, 0}, {0, 0}, {0, 1}, {0, 1}}));
+    EXPECT_TRUE(lengths.spotsAt({}).empty());
 }
 
 class LengthLaws : public testing_curves::EveryFamily {};

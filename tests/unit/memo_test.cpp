@@ -2,8 +2,8 @@
 // faults: it ran past the end of its points and of its result, left out the last point that it
 // promised, let three points and no grain pass, and its test of tension and bias guarded nothing.
 #include "core/spline/curve.h"
+#include "core/spline/measure/sample.h"
 #include "core/spline/problem.h"
-#include "core/spline/sample.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The natural spline of a function: known values, its laws, and the fast solver against the plain.
-#include "core/spline/natural_function.h"
+#include "core/spline/fast/natural_function.h"
 
 #include "core/spline/families/tridiagonal.h"
 

@@ -1,10 +1,12 @@
 // The nearest spot against trying very many.
-#include "core/spline/bounds.h"
-#include "core/spline/nearest.h"
+#include "core/spline/measure/bounds.h"
+#include "core/spline/measure/nearest.h"
 
+#include "tests/property/hard_pieces.h"
 #include "tests/property/random_curves.h"
 
 #include <cmath>
+#include <limits>
 
 namespace splineloft {
 namespace {
@@ -93,6 +95,80 @@ TEST(Nearest, onCuspsAndLoops) {
             EXPECT_LE(nearestTo(pieces, place)->distance,
                       bruteForce(pieces, place, 4000) * (1 + 1e-12))
                 << "piece " << i << " at " << testing::PrintToString(place);
+        }
+    }
+}
+
+TEST(Nearest, ofTheExactCircle) {
+    const Point center = {7, -3};
+    const Pieces circle = testing_curves::circle(center, 2.5);
+    const NearestIndex index(circle);
+    Dice dice(12);
+    for (int round = 0; round < 500; ++round) {
+        const Point away = dice.pointOnGrid(2, 5);
+        const double off = std::abs(norm(away) - 2.5);
+        const auto nearest = index.nearest(center + away);
+        ASSERT_TRUE(nearest);
+        EXPECT_NEAR(nearest->distance, off, 1e-14 * 10) << testing::PrintToString(away);
+        const Point wanted = center + 2.5 / norm(away) * away;
+        if (norm(away) > 0.01) {
+            EXPECT_LE(distance(circle.position(nearest->spot), wanted), 1e-11);
+        }
+    }
+    EXPECT_NEAR(nearestTo(circle, center)->distance, 2.5, 1e-14) << "from its center";
+    EXPECT_NEAR(index.nearest(center)->distance, 2.5, 1e-14) << "from its center";
+}
+
+TEST(Nearest, withinCountsOnlyWhatIsNearer) {
+    const Pieces line = testing_curves::onePiece(1, 2, {0, 0, 10, 0});
+    const NearestIndex index(line);
+    EXPECT_TRUE(nearestTo(line, {5, 3}, 3.001));
+    EXPECT_FALSE(nearestTo(line, {5, 3}, 3));
+    EXPECT_FALSE(nearestTo(line, {5, 3}, 0));
+    EXPECT_FALSE(nearestTo(line, {5, 3}, -1));
+    EXPECT_TRUE(index.nearest({5, 3}, 3.001));
+    EXPECT_FALSE(index.nearest({5, 3}, 3));
+    EXPECT_FALSE(index.nearest({5, 3}, -1));
+}
+
+TEST(Nearest, ofNoPlaceIsNothing) {
+    const Pieces line = testing_curves::onePiece(1, 2, {0, 0, 10, 0});
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const auto& place : {Point{std::nan(""), 1}, Point{0, infinity}}) {
+        EXPECT_FALSE(nearestTo(line, place));
+        EXPECT_FALSE(NearestIndex(line).nearest(place));
+    }
+    EXPECT_FALSE(NearestIndex(Pieces()).nearest({1, 2}));
+}
+
+TEST(Nearest, ofRestingPieces) {
+    const Pieces point = testing_curves::onePiece(3, 2, {4, 7, 4, 7, 4, 7, 4, 7});
+    EXPECT_DOUBLE_EQ(nearestTo(point, {7, 11})->distance, 5);
+    EXPECT_EQ(nearestTo(point, {4, 7})->distance, 0);
+    EXPECT_EQ(nearestTo(point, {4, 7})->spot, Spot{});
+    EXPECT_DOUBLE_EQ(NearestIndex(point).nearest({7, 11})->distance, 5);
+}
+
+TEST(Nearest, ofEquallyNearSpotsIsTheFirst) {
+    // There and back: every spot is there twice.
+    const Pieces back(1, 2, KnotLine({0, 1, 2}), {0, 0, 8, 0, 8, 0, 0, 0});
+    EXPECT_EQ(nearestTo(back, {2, 1})->spot, (Spot{0, 0.25}));
+    EXPECT_EQ(NearestIndex(back).nearest({2, 1})->spot, (Spot{0, 0.25}));
+    EXPECT_EQ(nearestTo(back, {9, 1})->spot, (Spot{0, 1})) << "at a joint, the piece that ends";
+}
+
+TEST(Nearest, atTheEndsOfWhatDoublesHold) {
+    const double most = std::numeric_limits<double>::max();
+    for (const double size : {most, 1e300, 1e-300, 5e-324}) {
+        const Pieces pieces =
+            testing_curves::onePiece(3, 2, {-size, -size, size, size, -size, size, size, -size});
+        for (const auto& place : {Point{0, 0}, Point{size, size}, Point{1, 1}, Point{-most, most},
+                                  Point{1e-300, -1e-300}}) {
+            const auto nearest = nearestTo(pieces, place);
+            ASSERT_TRUE(nearest) << size;
+            EXPECT_TRUE(std::isfinite(nearest->distance)) << size;
+            EXPECT_TRUE(nearest->spot.u >= 0 && nearest->spot.u <= 1) << size;
+            EXPECT_TRUE(NearestIndex(pieces).nearest(place)) << size;
         }
     }
 }

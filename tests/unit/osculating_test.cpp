@@ -1,4 +1,4 @@
-#include "core/spline/osculating.h"
+#include "core/spline/shape/osculating.h"
 
 #include "tests/property/random_pieces.h"
 

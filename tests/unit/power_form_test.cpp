@@ -1,4 +1,4 @@
-#include "core/spline/power_form.h"
+#include "core/spline/fast/power_form.h"
 #include "tests/unit/random_pieces.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // instructions that the machine has.
 #pragma once
 
-#include "core/spline/lanes/targets.h"
+#include "core/spline/fast/lanes/targets.h"
 #include "core/spline/piece.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "core/spline/roots.h"
+#include "core/spline/algebra/roots.h"
 
-#include "core/spline/bernstein.h"
+#include "core/spline/algebra/bernstein.h"
 
 #include "tests/property/random_curves.h"
 

@@ -1,7 +1,10 @@
 // Samples: how many, where, and that the last is the end.
-#include "core/spline/sample.h"
+#include "core/spline/measure/sample.h"
 
 #include "tests/property/random_curves.h"
+
+#include <cmath>
+#include <stdexcept>
 
 namespace splineloft {
 namespace {
@@ -70,6 +73,84 @@ TEST(Sample, grainOfZeroOrNoPiecesGivesNone) {
     EXPECT_TRUE(spreadPerPiece(piecesOf(curve), 0).empty());
     const Pieces some = piecesOf(curve);
     EXPECT_TRUE(spread(some, ArcLength(some), Even::length, 1).empty());
+}
+
+/// A line from (10, 20), 5 long.
+Pieces fiveLong() {
+    Curve curve;
+    curve.family = "linear";
+    curve.ends = Ends::none;
+    curve.points = {{10, 20}, {13, 24}};
+    return piecesOf(curve);
+}
+
+TEST(SpreadByDistance, endsWithTheLastWholeStepUnlessCapped) {
+    const Pieces pieces = fiveLong();
+    const ArcLength lengths(pieces);
+    const auto bare = spreadByDistance(pieces, lengths, 1.5);
+    ASSERT_EQ(bare.size(), 4u);
+    for (std::size_t i = 0; i < bare.size(); ++i) {
+        EXPECT_NEAR(lengths.upTo(bare[i]), 1.5 * static_cast<double>(i), 1e-14) << i;
+    }
+    const auto capped = spreadByDistance(pieces, lengths, 1.5, Remainder::capped);
+    ASSERT_EQ(capped.size(), 5u);
+    EXPECT_EQ(capped.back(), (Spot{0, 1}));
+    EXPECT_EQ(spreadByDistance(pieces, lengths, 7).size(), 1u) << "the start alone";
+    EXPECT_EQ(spreadByDistance(pieces, lengths, 7, Remainder::capped).size(), 2u);
+}
+
+TEST(SpreadByDistance, reachesTheEndWhereItIsAWholeNumberOfStepsAway) {
+    const Pieces pieces = fiveLong();
+    const ArcLength lengths(pieces);
+    for (const auto remainder : {Remainder::bare, Remainder::capped}) {
+        for (const int steps : {1, 2, 3, 7, 10, 49, 1000, 99991}) {
+            const auto spots =
+                spreadByDistance(pieces, lengths, lengths.total() / steps, remainder);
+            ASSERT_EQ(spots.size(), static_cast<std::size_t>(steps) + 1);
+            EXPECT_EQ(spots.back(), (Spot{0, 1})) << steps;
+        }
+    }
+}
+
+TEST(SpreadByDistance, refusesWhatWouldNotEnd) {
+    const Pieces pieces = fiveLong();
+    const ArcLength lengths(pieces);
+    for (const double distance : {0.0, -1.0, std::nan(""), 1e-9, 5e-324}) {
+        EXPECT_THROW(spreadByDistance(pieces, lengths, distance), std::invalid_argument)
+            << distance;
+    }
+    EXPECT_EQ(spreadByDistance(pieces, lengths, 5e-6).size(), 1'000'001u);
+    try {
+        spreadByDistance(pieces, lengths, 1e-9);
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("at least"), std::string::npos) << error.what();
+    }
+    const Pieces none;
+    EXPECT_TRUE(spreadByDistance(none, ArcLength(none), 1).empty());
+    const Pieces point(3, 2, KnotLine({0, 1}), {4, 7, 4, 7, 4, 7, 4, 7});
+    EXPECT_EQ(spreadByDistance(point, ArcLength(point), 1).size(), 1u);
+}
+
+TEST(SpreadPlaces, areThePositionsOfTheSpots) {
+    for (const auto& form : everyForm()) {
+        const Curve curve = randomCurve(form, 3);
+        const Pieces pieces = piecesOf(curve);
+        const ArcLength lengths(pieces);
+        const auto stride = static_cast<std::size_t>(pieces.dimension());
+        for (const std::size_t count : {2u, 5u, 300u}) {
+            std::vector<double> places(count * stride);
+            spreadPlaces(pieces, lengths, count, places);
+            const auto spots = spread(pieces, lengths, Even::length, count);
+            for (std::size_t i = 0; i < count; ++i) {
+                expectNear(Point(std::span(places).subspan(i * stride, stride)),
+                           pieces.position(spots[i]), 1e-13 * (1 + farthest(curve)),
+                           wordsOf(curve));
+            }
+        }
+    }
+    std::vector<double> tooFew(3);
+    const Pieces pieces = fiveLong();
+    EXPECT_THROW(spreadPlaces(pieces, ArcLength(pieces), 2, tooFew), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, SampleLaws, testing::ValuesIn(familyIds()), testNameOf);

@@ -1,4 +1,4 @@
-#include "core/spline/self_intersect.h"
+#include "core/spline/shape/self_intersect.h"
 
 #include "tests/property/random_pieces.h"
 

@@ -1,4 +1,4 @@
-#include "core/spline/subdivide.h"
+#include "core/spline/shape/subdivide.h"
 
 #include "tests/property/random_pieces.h"
 

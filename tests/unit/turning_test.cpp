@@ -1,4 +1,4 @@
-#include "core/spline/turning.h"
+#include "core/spline/shape/turning.h"
 
 #include "tests/property/random_pieces.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/document/edits.h"
 #include "core/spline/catalog.h"
-#include "core/spline/nearest.h"
+#include "core/spline/measure/nearest.h"
 #include "ui/canvas/hints.h"
 #include "ui/canvas/snap.h"
 

@@ -1,6 +1,6 @@
 #include "ui/canvas/pick.h"
 
-#include "core/spline/nearest.h"
+#include "core/spline/measure/nearest.h"
 
 #include <cmath>
 

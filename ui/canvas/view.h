@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "core/spline/sample.h"
+#include "core/spline/measure/sample.h"
 #include "ui/drawing.h"
 
 #include <array>

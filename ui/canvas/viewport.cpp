@@ -1,7 +1,7 @@
 #include "ui/canvas/viewport.h"
 
 #include "core/document/edits.h"
-#include "core/spline/bernstein.h"
+#include "core/spline/algebra/bernstein.h"
 
 #include <algorithm>
 #include <array>

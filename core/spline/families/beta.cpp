@@ -2,7 +2,7 @@
 // curvature are continuous whatever bias and tension are.
 //
 // With values of bias and tension at each control point the spline is rational in u.
-#include "core/spline/bernstein.h"
+#include "core/spline/algebra/bernstein.h"
 #include "core/spline/family.h"
 
 #include <algorithm>

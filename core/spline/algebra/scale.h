@@ -1,0 +1,20 @@
+// Powers of two that bring numbers to a size at which they can be squared.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace splineloft {
+
+/// A power of two by which numbers up to `largest` are multiplied to be squared safely; 1 for all
+/// ordinary sizes. Multiplying by it is exact.
+inline double scaleFor(double largest) {
+    constexpr double safe = 0x1p250;
+    if ((largest > 1 / safe && largest < safe) || !(largest > 0)) {
+        return 1;
+    }
+    constexpr int mostExponent = 1000;
+    return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -mostExponent, mostExponent));
+}
+
+} // namespace splineloft

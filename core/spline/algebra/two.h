@@ -1,0 +1,33 @@
+// Several numbers by one instruction, on any processor that gcc or clang know.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace splineloft {
+
+/// Two numbers that one instruction works on.
+using Two __attribute__((vector_size(16))) = double;
+
+/// Takes the square root of each. Written out, because compilers keep errno and therefore take
+/// roots one by one.
+template <std::size_t count>
+    requires(count % 2 == 0)
+void takeRoots(std::array<double, count>& values) {
+#if defined(__SSE2__)
+    for (std::size_t i = 0; i < count; i += 2) {
+        _mm_storeu_pd(&values[i], _mm_sqrt_pd(_mm_loadu_pd(&values[i])));
+    }
+#else
+    for (auto& value : values) {
+        value = std::sqrt(value);
+    }
+#endif
+}
+
+} // namespace splineloft

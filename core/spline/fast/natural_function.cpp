@@ -1,0 +1,319 @@
+#include "core/spline/fast/natural_function.h"
+
+#include "core/spline/fast/natural_slopes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace splineloft {
+namespace {
+
+// Sizes between these need no care: products and quotients of a few do not overflow.
+constexpr double tiny = 0x1p-250;
+constexpr double huge = 0x1p250;
+
+// So many places are worked out side by side: their waits for memory and division overlap.
+constexpr std::size_t batch = 32;
+
+std::string named(char name, std::size_t index, double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return std::string{name} + "[" + std::to_string(index) + "] = " + std::string(text.data(), end);
+}
+
+void requireSizes(std::size_t x, std::size_t y) {
+    if (x != y) {
+        throw std::invalid_argument("there are " + std::to_string(x) + " values of x and " +
+                                    std::to_string(y) + " of y; right would be as many of both");
+    }
+    if (x < 2 || x > std::numeric_limits<std::uint32_t>::max()) {
+        throw std::invalid_argument("there are " + std::to_string(x) +
+                                    " points; right would be 2 to 4294967295");
+    }
+}
+
+void requireFinite(char name, std::span<const double> values) {
+    const auto bad = std::ranges::find_if(values, [](double v) { return !std::isfinite(v); });
+    if (bad != values.end()) {
+        throw std::invalid_argument(
+            named(name, static_cast<std::size_t>(bad - values.begin()), *bad) +
+            " is not a finite number; right would be a finite one");
+    }
+}
+
+/// Whether all values rise, a finite way each: differences then have a sign bit one way round and
+/// none the other, which is true of nothing else.
+bool allRise(std::span<const double> x) {
+    std::uint64_t signs = ~std::uint64_t{0};
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        signs &= std::bit_cast<std::uint64_t>(x[i - 1] - x[i]) &
+                 ~std::bit_cast<std::uint64_t>(x[i] - x[i - 1]);
+    }
+    return signs >> 63 != 0;
+}
+
+/// Slopes on intervals beyond this ratio could not be told apart, or overflow.
+constexpr double mostUneven = 1e100;
+
+void requireComparable(std::span<const double> x) {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        least = std::min(least, x[i] - x[i - 1]);
+    }
+    const double whole = x.back() / 2 - x.front() / 2;
+    if (least < whole / mostUneven) {
+        throw std::invalid_argument("two x are 10^100 times closer than the first and the "
+                                    "last; right would be values not so far apart");
+    }
+}
+
+void requireRising(std::span<const double> x) {
+    if (allRise(x) && std::isfinite(x.front()) && std::isfinite(x.back())) {
+        requireComparable(x);
+        return;
+    }
+    requireFinite('x', x);
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        if (x[i - 1] >= x[i]) {
+            throw std::invalid_argument(named('x', i, x[i]) + " is not above " +
+                                        named('x', i - 1, x[i - 1]) +
+                                        "; right would be rising values");
+        }
+    }
+}
+
+/// Whether any of the values is `huge` or larger in size, or not a number: of those, adding the
+/// bias to the exponent's bits carries into the sign's. With whole numbers, as compilers then take
+/// several values at once.
+bool anyHuge(std::span<const double> values) {
+    constexpr std::uint64_t exponentBits = std::uint64_t{0x7ff} << 52;
+    constexpr std::uint64_t bias =
+        (std::uint64_t{0x800} << 52) - std::bit_cast<std::uint64_t>(huge);
+    std::uint64_t found = 0;
+    for (const double value : values) {
+        found |= (std::bit_cast<std::uint64_t>(value) & exponentBits) + bias;
+    }
+    return found >> 63 != 0;
+}
+
+bool allTiny(std::span<const double> values) {
+    return std::ranges::all_of(values, [](double v) { return std::abs(v) < tiny; });
+}
+
+/// The exponent that brings `size` near 1, as far as factors of that size can be written.
+int exponentFor(double size) {
+    return size > 0 ? std::clamp(std::ilogb(size), -1000, 1023) : 0;
+}
+
+} // namespace
+
+NaturalFunction::NaturalFunction(std::span<const double> x, std::span<const double> y) {
+    refit(x, y);
+}
+
+void NaturalFunction::refit(std::span<const double> x, std::span<const double> y) {
+    requireSizes(x.size(), y.size());
+    requireRising(x);
+    if (anyHuge(y)) {
+        requireFinite('y', y);
+    }
+    size_ = x.size();
+    values_.resize(3 * size_);
+    std::ranges::copy(x, values_.begin());
+    std::ranges::copy(y, values_.begin() + static_cast<std::ptrdiff_t>(size_));
+    normalize();
+    solveNaturalSlopes(xs(), ys(), std::span(values_).last(size_));
+    fillBuckets();
+}
+
+void NaturalFunction::normalize() {
+    xExponent_ = yExponent_ = 0;
+    xFactor_ = yFactor_ = 1;
+    const double whole = xs().back() / 2 - xs().front() / 2;
+    if (!(whole >= tiny && whole <= huge)) {
+        xExponent_ = exponentFor(std::max(whole, std::numeric_limits<double>::min()));
+        xFactor_ = std::ldexp(1, -xExponent_);
+        for (auto& value : std::span(values_).first(size_)) {
+            value *= xFactor_;
+        }
+    }
+    if (anyHuge(ys()) || allTiny(ys())) {
+        const auto bySize = [](double a, double b) { return std::abs(a) < std::abs(b); };
+        yExponent_ = exponentFor(std::abs(*std::ranges::max_element(ys(), bySize)));
+        yFactor_ = std::ldexp(1, yExponent_);
+        for (auto& value : std::span(values_).subspan(size_, size_)) {
+            value = std::ldexp(value, -yExponent_);
+        }
+    }
+}
+
+/// Never falls as x rises, however it is rounded; so what is in a bucket is between all that is in
+/// earlier and in later ones.
+std::size_t NaturalFunction::bucketOf(double x) const {
+    return static_cast<std::size_t>(
+        static_cast<std::int64_t>((x - xs().front()) * bucketsPerUnit_));
+}
+
+void NaturalFunction::fillBuckets() {
+    const std::size_t pieces = size() - 1;
+    bucketsPerUnit_ = static_cast<double>(pieces) / (xs().back() - xs().front());
+    lastBefore_.assign(pieces + 2, 0); // the end may be rounded up into another
+    auto* const table = lastBefore_.data();
+    const auto* const x = values_.data();
+    for (std::size_t i = 1; i < pieces; ++i) {
+        table[bucketOf(x[i]) + 1] = static_cast<std::uint32_t>(i);
+    }
+    std::uint32_t last = 0;
+    std::uint32_t fullest = 0;
+    for (auto& entry : lastBefore_) {
+        const std::uint32_t next = std::max(last, entry);
+        fullest = std::max(fullest, next - last);
+        entry = next;
+        last = next;
+    }
+    firstStep_ = std::bit_floor(fullest);
+}
+
+/// The piece `step` pieces on, if it begins at or before x, else `piece`. Without a branch, as half
+/// of all guesses would be wrong.
+inline std::size_t NaturalFunction::towards(double x, std::size_t piece, std::size_t step) const {
+    const std::size_t next = std::min(piece + step, size() - 2);
+    return piece + ((next - piece) & (std::size_t{0} - std::size_t{xs()[next] <= x}));
+}
+
+inline NaturalFunction::Place NaturalFunction::clamp(double x) const {
+    const double within = std::min(std::max(xs().front(), x * xFactor_), xs().back());
+    return {lastBefore_[bucketOf(within)], within, x * xFactor_ - within};
+}
+
+inline NaturalFunction::Place NaturalFunction::locate(double x) const {
+    Place place = clamp(x);
+    for (std::size_t step = firstStep_; step > 0; step /= 2) {
+        place.piece = towards(place.x, place.piece, step);
+    }
+    return place;
+}
+
+inline double NaturalFunction::chordSlope(std::size_t piece) const {
+    return (ys()[piece + 1] - ys()[piece]) / interval(piece);
+}
+
+/// The chord, and a cubic that vanishes at both points: no rounding there, however it overshoots.
+inline double NaturalFunction::valueAt(const Place& place) const {
+    const std::size_t i = place.piece;
+    const double h = interval(i);
+    const double u = (place.x - xs()[i]) / h;
+    const double rise = ys()[i + 1] - ys()[i];
+    const double leaving = h * slopes()[i] - rise;
+    const double arriving = rise - h * slopes()[i + 1];
+    const double within = ys()[i] + u * (rise + (1 - u) * (leaving + u * (arriving - leaving)));
+    const double outside = (place.beyond < 0 ? slopes().front() : slopes().back()) * place.beyond;
+    return yFactor_ * (within + outside);
+}
+
+double NaturalFunction::operator()(double x) const {
+    return valueAt(locate(x));
+}
+
+void NaturalFunction::evaluate(std::span<const double> x, std::span<double> out) const {
+    if (x.size() != out.size()) {
+        throw std::invalid_argument("there is room for " + std::to_string(out.size()) +
+                                    " values at " + std::to_string(x.size()) +
+                                    " places; right would be as many of both");
+    }
+    std::array<double, batch> within;
+    std::array<std::size_t, batch> pieces;
+    for (std::size_t first = 0; first < x.size(); first += batch) {
+        const std::size_t count = std::min(batch, x.size() - first);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Place place = clamp(x[first + k]);
+            within[k] = place.x;
+            pieces[k] = place.piece;
+        }
+        for (std::size_t step = firstStep_; step > 0; step /= 2) {
+            for (std::size_t k = 0; k < count; ++k) {
+                pieces[k] = towards(within[k], pieces[k], step);
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            out[first + k] = valueAt({pieces[k], within[k], x[first + k] * xFactor_ - within[k]});
+        }
+    }
+}
+
+double NaturalFunction::derivative(double x) const {
+    const Place place = locate(x);
+    const std::size_t i = place.piece;
+    const double u = (place.x - xs()[i]) / interval(i);
+    const double chord = chordSlope(i);
+    const double square = 3 * chord - 2 * slopes()[i] - slopes()[i + 1];
+    const double cube = slopes()[i] + slopes()[i + 1] - 2 * chord;
+    return std::ldexp(slopes()[i] + u * (2 * square + u * (3 * cube)), yExponent_ - xExponent_);
+}
+
+/// From the longer of the two pieces, as rounding errors are divided by its length.
+double NaturalFunction::scaledSecondAt(std::size_t i) const {
+    if (i == 0 || i + 1 >= size()) {
+        return 0;
+    }
+    if (interval(i - 1) > interval(i)) {
+        return 2 * (slopes()[i - 1] + 2 * slopes()[i] - 3 * chordSlope(i - 1)) / interval(i - 1);
+    }
+    return 2 * (3 * chordSlope(i) - 2 * slopes()[i] - slopes()[i + 1]) / interval(i);
+}
+
+double NaturalFunction::secondAt(std::size_t i) const {
+    return std::ldexp(scaledSecondAt(i), yExponent_ - 2 * xExponent_);
+}
+
+double NaturalFunction::second(double x) const {
+    const Place place = locate(x);
+    if (place.beyond != 0) {
+        return 0 * place.beyond; // keeps what is not a number
+    }
+    const double u = (place.x - xs()[place.piece]) / interval(place.piece);
+    const double value =
+        (1 - u) * scaledSecondAt(place.piece) + u * scaledSecondAt(place.piece + 1);
+    return std::ldexp(value, yExponent_ - 2 * xExponent_);
+}
+
+/// From the beginning of a piece to x.
+double NaturalFunction::integralWithin(std::size_t piece, double x) const {
+    const double h = interval(piece);
+    const double u = (x - xs()[piece]) / h;
+    const double rise = ys()[piece + 1] - ys()[piece];
+    const double leaving = h * slopes()[piece];
+    const double arriving = h * slopes()[piece + 1];
+    const double square = 3 * rise - 2 * leaving - arriving;
+    const double cube = leaving + arriving - 2 * rise;
+    return h * u * (ys()[piece] + u * (leaving / 2 + u * (square / 3 + u * (cube / 4))));
+}
+
+/// From the end outwards to a place beyond it.
+double NaturalFunction::integralBeyond(const Place& place) const {
+    const bool before = place.beyond < 0;
+    return place.beyond * ((before ? ys().front() : ys().back()) +
+                           place.beyond / 2 * (before ? slopes().front() : slopes().back()));
+}
+
+double NaturalFunction::integral(double a, double b) const {
+    if (b < a) {
+        return -integral(b, a);
+    }
+    const Place from = locate(a);
+    const Place to = locate(b);
+    double sum = integralBeyond(to) - integralBeyond(from);
+    sum += integralWithin(to.piece, to.x) - integralWithin(from.piece, from.x);
+    for (std::size_t i = from.piece; i < to.piece; ++i) {
+        sum += integralWithin(i, xs()[i + 1]);
+    }
+    return std::ldexp(sum, xExponent_ + yExponent_);
+}
+
+} // namespace splineloft

@@ -1,0 +1,172 @@
+#include "core/spline/measure/length.h"
+
+#include "core/spline/measure/length_walk.h"
+#include "core/spline/measure/speed.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace splineloft {
+namespace {
+
+// What is left where the estimated error is below this part of the piece's size is rounding.
+constexpr double fullPrecision = 1e-16;
+// Spots found with a chart lie off by no more than this part of the whole length.
+constexpr double chartError = 1e-15;
+// No piece is cut into more panels than this.
+constexpr int mostCuts = 400;
+
+/// Cuts a piece into panels that are good to `tolerance`, and calls `take(start, end, length)` for
+/// each, in order: as long ones as the branch points allow, where these are known.
+template <SpeedAlongPiece Speed, class Take>
+    requires requires(const Speed& speed) { speed.branchPoints(); }
+void forEachPanel(const Speed& speed, double tolerance, Take take) {
+    const BranchPoints points = speed.branchPoints();
+    double start = 0;
+    for (int panels = 0; start < 1; ++panels) {
+        const double end = panels < mostCuts ? points.panelEnd(start, tolerance) : 1;
+        take(start, end, speed.unit() * integral(speed, start, end));
+        start = end;
+    }
+}
+
+/// Whether a panel of these samples is good to `tolerance`. Samples do not see a cusp between them:
+/// that there is none, the hodograph's Bézier points have to say.
+template <SpeedAlongPiece Speed>
+bool isGood(const Speed& speed, double start, double end, const gauss::Samples& samples,
+            double tolerance) {
+    constexpr double steady = 0.1; // narrower dips than this leaves room for are seen
+    const auto hull = speed.hullOn(start, end);
+    if (hull.least < steady) {
+        return (end - start) * hull.fastest <= tolerance; // hardly moves
+    }
+    return 0.5 * (end - start) * gauss::Spectrum(samples).error() <= tolerance;
+}
+
+/// Elsewhere, panels are halved until their samples show that they have converged.
+template <SpeedAlongPiece Speed, class Take>
+void forEachPanel(const Speed& speed, double tolerance, Take take) {
+    std::array<double, 64> ends; // of the panels still to come, the next one last
+    std::size_t waiting = 0;
+    ends[waiting++] = 1;
+    double start = 0;
+    for (int cuts = 0; waiting > 0;) {
+        const double end = ends[waiting - 1];
+        const double middle = 0.5 * (start + end);
+        const double half = 0.5 * (end - start);
+        const auto samples = speed.on(middle, half);
+        const bool isLast =
+            cuts == mostCuts || waiting == ends.size() || !(start < middle && middle < end);
+        if (isLast || isGood(speed, start, end, samples, tolerance)) {
+            take(start, end, speed.unit() * (half * gauss::integralOf(samples)));
+            start = end;
+            --waiting;
+        } else {
+            ends[waiting++] = middle;
+            ++cuts;
+        }
+    }
+}
+
+/// Sums of lengths stay finite.
+double finite(double length) {
+    return std::min(length, std::numeric_limits<double>::max());
+}
+
+} // namespace
+
+double lengthOf(const Pieces& pieces, double tolerance) {
+    // Panels err by much less than their estimate. So many share the tolerance as a piece may need.
+    constexpr double share = 1.0 / 2;
+    const double each = tolerance > 0 ? share * tolerance / static_cast<double>(pieces.size()) : 0;
+    double total = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        withSpeed(pieces[i], [&](const auto& speed) {
+            forEachPanel(speed, std::max(each / speed.unit(), fullPrecision * speed.size()),
+                         [&](double, double, double length) { total = finite(total + length); });
+        });
+    }
+    return total;
+}
+
+ArcLength::ArcLength(const Pieces& pieces) : pieces_(&pieces) {
+    panels_.reserve(2 * pieces.size());
+    double total = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        withSpeed(pieces[i], [&](const auto& speed) {
+            forEachPanel(speed, fullPrecision * speed.size(),
+                         [&](double start, double end, double length) {
+                             const double before = total;
+                             total = finite(total + length);
+                             panels_.push_back({i, start, end, before, total});
+                         });
+        });
+    }
+}
+
+double ArcLength::upTo(Spot spot) const {
+    const auto endsBefore = [](const Panel& panel, const Spot& s) {
+        return panel.segment < s.segment || (panel.segment == s.segment && panel.end < s.u);
+    };
+    const auto panel = std::lower_bound(panels_.begin(), panels_.end(), spot, endsBefore);
+    if (panel == panels_.end()) {
+        return total();
+    }
+    return withSpeed((*pieces_)[panel->segment], [&](const auto& speed) {
+        return finite(panel->lengthAtStart + speed.unit() * integral(speed, panel->start, spot.u));
+    });
+}
+
+void ArcLength::findOn(const Panel& panel, std::span<const double> lengths,
+                       std::span<Spot> spots) const {
+    withSpeed((*pieces_)[panel.segment], [&](const auto& speed) {
+        Walk(speed, panel.segment, chartError * total())
+            .along({panel.start, panel.end}, panel.lengthAtStart, lengths, spots);
+    });
+}
+
+Spot ArcLength::spotAt(double length) const {
+    if (panels_.empty() || !(length > 0)) {
+        return {};
+    }
+    if (length >= total()) {
+        return {panels_.back().segment, panels_.back().end};
+    }
+    Spot spot;
+    findOn(*std::ranges::lower_bound(panels_, length, {}, &Panel::lengthAtEnd),
+           std::span(&length, 1), std::span(&spot, 1));
+    return spot;
+}
+
+std::vector<Spot> ArcLength::spotsAt(std::span<const double> lengths) const {
+    std::vector<Spot> spots(lengths.size());
+    if (panels_.empty()) {
+        return spots;
+    }
+    const auto isAtStart = [](double length) { return !(length > 0); };
+    auto next =
+        static_cast<std::size_t>(std::ranges::find_if_not(lengths, isAtStart) - lengths.begin());
+    auto panel = panels_.begin();
+    while (next < lengths.size() && lengths[next] < total()) {
+        // A few panels on, or far on.
+        panel = panel->lengthAtEnd >= lengths[next]
+                    ? panel
+                    : std::ranges::lower_bound(panel, panels_.end(), lengths[next], {},
+                                               &Panel::lengthAtEnd);
+        auto after = next + 1;
+        while (after < lengths.size() && lengths[after] <= panel->lengthAtEnd &&
+               lengths[after] < total()) {
+            ++after;
+        }
+        const auto count = after - next;
+        findOn(*panel, lengths.subspan(next, count), std::span(spots).subspan(next, count));
+        next = after;
+    }
+    std::fill(spots.begin() + static_cast<std::ptrdiff_t>(next), spots.end(),
+              Spot{panels_.back().segment, panels_.back().end});
+    return spots;
+}
+
+} // namespace splineloft

@@ -1,0 +1,46 @@
+// Arc length: how long the curve is, and which spot lies how far along it.
+#pragma once
+
+#include "core/spline/piece.h"
+
+#include <span>
+#include <vector>
+
+namespace splineloft {
+
+/// The length of a curve with an absolute error of at most `tolerance`, in its unit of length; to
+/// full precision where that is not above zero. Bounded work for any input. Lengths beyond the
+/// largest double are that.
+double lengthOf(const Pieces& pieces, double tolerance = 0);
+
+/// Lengths of a curve, measured once: total, up to a spot, and back from length to spot. Each piece
+/// is cut into panels on which 16-point Gauss quadrature of the speed has converged; near a cusp
+/// the cutting stops where the rest is below rounding. Bounded work for any input.
+class ArcLength {
+  public:
+    /// Measures `pieces`, of which it keeps a reference. Relative error about 1e-14.
+    explicit ArcLength(const Pieces& pieces);
+
+    double total() const { return panels_.empty() ? 0 : panels_.back().lengthAtEnd; }
+    /// Length from the start of the curve to a spot.
+    double upTo(Spot spot) const;
+    /// The spot at `length` from the start; the nearer end where it lies outside.
+    Spot spotAt(double length) const;
+    /// The same for many lengths that never fall: where they are close together, much quicker than
+    /// one by one. The spots never fall either.
+    std::vector<Spot> spotsAt(std::span<const double> lengths) const;
+
+  private:
+    struct Panel {
+        std::size_t segment;
+        double start, end; ///< values of u
+        double lengthAtStart, lengthAtEnd;
+    };
+
+    void findOn(const Panel& panel, std::span<const double> lengths, std::span<Spot> spots) const;
+
+    const Pieces* pieces_;
+    std::vector<Panel> panels_;
+};
+
+} // namespace splineloft

@@ -1,0 +1,49 @@
+// A chart of a short stretch of a piece: its length as a polynomial of the parameter, with which
+// many spots are found quickly.
+#pragma once
+
+#include "core/spline/algebra/two.h"
+#include "core/spline/measure/quadrature.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace splineloft {
+
+/// Length s(x) from the start of a panel, -1 <= x <= 1: the integral of the polynomial through the
+/// speed at the Gauss nodes. Its inverse starts from Hermite's interpolation of x(s) at the ends
+/// and the middle, and ends with Newton's method.
+class LengthChart {
+  public:
+    LengthChart(const gauss::Samples& speeds, const gauss::Spectrum& spectrum);
+
+    /// How far the charted lengths are off at most, about: the first coefficient left out is like
+    /// the last ones left in, and integrates to 1 / 16 of itself.
+    static double errorOf(const gauss::Spectrum& spectrum) {
+        return spectrum.tail() / static_cast<double>(gauss::count);
+    }
+    /// Whether the speed varies so little that the inverse is sure to be found.
+    bool isInvertible() const { return invertible_; }
+
+    /// The values of x at which the given lengths are reached, which replace them.
+    void invert(std::span<double> lengths) const;
+
+  private:
+    static constexpr std::size_t block = 6; // found together
+    static constexpr std::size_t lanes = block / 2;
+    using Lanes = std::array<Two, lanes>;
+
+    void prepareStart();
+    void invertBlock(std::array<double, block>& lengths) const;
+    void evaluate(const Lanes& x, Lanes& length, Lanes& speed) const;
+
+    std::array<double, gauss::count + 1> lengths_{}; // powers of x
+    std::array<double, gauss::count> speeds_{};      // powers of x
+    std::array<double, 6> start_{};                  // divided differences
+    double middle_ = 0;                              // length at x = 0
+    double length_ = 0;
+    bool invertible_ = false;
+};
+
+} // namespace splineloft

@@ -1,0 +1,129 @@
+// From lengths back to spots, on one panel on which the quadrature of the speed has converged.
+#pragma once
+
+#include "core/spline/measure/length_chart.h"
+#include "core/spline/measure/speed.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+namespace splineloft {
+
+/// The parameters between which a panel lies.
+struct Stretch {
+    double start = 0, end = 1;
+};
+
+/// The parameter at `wanted` units of length beyond the start of a panel: Newton's method on the
+/// length, between bounds that close in from both sides. `whole` is the length of the panel.
+template <SpeedAlongPiece Speed>
+double parameterAt(const Speed& speed, Stretch panel, double wanted, double whole) {
+    constexpr int mostSteps = 60;
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    double low = panel.start;
+    double high = panel.end;
+    double u = lerp(low, high, whole > 0 ? std::clamp(wanted / whole, 0.0, 1.0) : 1);
+    for (int step = 0; step < mostSteps; ++step) {
+        const double excess = integral(speed, panel.start, u) - wanted;
+        const double rate = speed.at(u);
+        // Where the next step would be rounding, u is found. (It might leave the bounds, though.)
+        if (std::abs(excess) <= epsilon * std::max(rate, whole)) {
+            break;
+        }
+        (excess > 0 ? high : low) = u;
+        const double next = rate > 0 ? u - excess / rate : low;
+        u = next > low && next < high ? next : 0.5 * (low + high);
+        if (!(low < u && u < high)) {
+            break;
+        }
+    }
+    return u;
+}
+
+/// Finds many lengths on one panel: with charts where several are close together, else one by one.
+template <SpeedAlongPiece Speed> class Walk {
+  public:
+    /// Charts may be off by `tolerance`, which is a length.
+    Walk(const Speed& speed, std::size_t segment, double tolerance)
+        : speed_(speed), segment_(segment), tolerance_(tolerance / speed.unit()) {}
+
+    /// The spots at `lengths`, which rise and lie on the panel, which begins at `before`.
+    void along(Stretch panel, double before, std::span<const double> lengths,
+               std::span<Spot> spots) const {
+        along(panel, before, samplesOn(panel), lengths, spots, 0);
+    }
+
+  private:
+    static constexpr std::size_t fewest = 5; // that pay for a chart
+    static constexpr int deepest = 40;       // halvings of a panel
+
+    static double half(Stretch s) { return 0.5 * (s.end - s.start); }
+    static double middle(Stretch s) { return 0.5 * (s.start + s.end); }
+    gauss::Samples samplesOn(Stretch s) const { return speed_.on(middle(s), half(s)); }
+
+    void along(Stretch here, double before, const gauss::Samples& samples,
+               std::span<const double> lengths, std::span<Spot> spots, int depth) const {
+        if (lengths.empty()) {
+            return;
+        }
+        if (lengths.size() < fewest || depth == deepest) {
+            oneByOne(here, before, half(here) * gauss::integralOf(samples), lengths, spots);
+            return;
+        }
+        const gauss::Spectrum spectrum(samples);
+        const bool isSmooth = half(here) * LengthChart::errorOf(spectrum) <= tolerance_;
+        if (isSmooth && byChart(LengthChart(samples, spectrum), here, before, lengths, spots)) {
+            return;
+        }
+        const Stretch left{here.start, middle(here)};
+        const Stretch right{middle(here), here.end};
+        const auto onLeft = samplesOn(left);
+        const double between = before + speed_.unit() * half(left) * gauss::integralOf(onLeft);
+        const auto count =
+            static_cast<std::size_t>(std::ranges::upper_bound(lengths, between) - lengths.begin());
+        along(left, before, onLeft, lengths.first(count), spots.first(count), depth + 1);
+        along(right, between, samplesOn(right), lengths.subspan(count), spots.subspan(count),
+              depth + 1);
+    }
+
+    void oneByOne(Stretch here, double before, double whole, std::span<const double> lengths,
+                  std::span<Spot> spots) const {
+        for (std::size_t i = 0; i < lengths.size(); ++i) {
+            const double wanted = (lengths[i] - before) / speed_.unit();
+            spots[i] = {segment_, parameterAt(speed_, here, wanted, whole)};
+        }
+    }
+
+    /// Not where the chart cannot be inverted.
+    bool byChart(const LengthChart& chart, Stretch here, double before,
+                 std::span<const double> lengths, std::span<Spot> spots) const {
+        if (!chart.isInvertible()) {
+            return false;
+        }
+        constexpr std::size_t most = 64;
+        std::array<double, most> x;
+        const double toChart = 1 / (speed_.unit() * half(here));
+        for (std::size_t first = 0; first < lengths.size(); first += most) {
+            const auto count = std::min(most, lengths.size() - first);
+            for (std::size_t i = 0; i < count; ++i) {
+                x[i] = (lengths[first + i] - before) * toChart;
+            }
+            chart.invert(std::span(x).first(count));
+            for (std::size_t i = 0; i < count; ++i) {
+                const double u = middle(here) + half(here) * x[i];
+                spots[first + i] = {segment_, std::clamp(u, here.start, here.end)};
+            }
+        }
+        return true;
+    }
+
+    const Speed& speed_;
+    std::size_t segment_;
+    double tolerance_;
+};
+
+} // namespace splineloft

@@ -1,0 +1,41 @@
+// The spot of a curve nearest to a given place.
+#pragma once
+
+#include "core/spline/measure/thick_chords.h"
+#include "core/spline/piece.h"
+
+#include <limits>
+#include <optional>
+
+namespace splineloft {
+
+/// The closest spot and how far away it is.
+struct Nearest {
+    Spot spot;
+    double distance = 0;
+};
+
+/// The nearest spot of all pieces, if it is nearer than `within`; nothing where there is no piece.
+/// Exact up to the rounding of positions; of equally near spots, the first one found. Takes time
+/// for every piece, which is passed over where its hull lies farther away than the best spot so
+/// far: for one question to a curve. For many, make a NearestIndex.
+std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place,
+                                 double within = std::numeric_limits<double>::infinity());
+
+/// Answers the same question again and again, after looking at every piece once: a query takes
+/// time like the logarithm of the number of pieces.
+class NearestIndex {
+  public:
+    /// Keeps a reference to `pieces`.
+    explicit NearestIndex(const Pieces& pieces);
+
+    /// As nearestTo.
+    std::optional<Nearest> nearest(const Point& place,
+                                   double within = std::numeric_limits<double>::infinity()) const;
+
+  private:
+    const Pieces* pieces_;
+    ThickChords chords_;
+};
+
+} // namespace splineloft

@@ -1,0 +1,151 @@
+// The speed |P'(u)| along one piece, as quadrature samples it.
+#pragma once
+
+#include "core/spline/algebra/two.h"
+#include "core/spline/measure/branch_points.h"
+#include "core/spline/measure/quadrature.h"
+#include "core/spline/piece.h"
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace splineloft {
+
+/// What the Bézier points of the hodograph over a panel say of the speed there.
+struct SpeedHull {
+    double fastest = 0; ///< the speed is nowhere above this
+    /// The part of the mean velocity that is kept everywhere, in its own direction: far above zero
+    /// there is no cusp nearby. Where the piece rests at an end of the panel, that end is left out,
+    /// for it does not roughen the speed.
+    double least = 0;
+};
+
+/// The hull of velocities in rows of `width` numbers, of which the first `dimension` are
+/// coordinates and a last one, if there is one more, their weight.
+SpeedHull hullOf(std::span<const double> velocities, std::size_t dimension, std::size_t width);
+
+/// What is asked of a speed. All numbers are in its `unit()`, which keeps squares from overflowing
+/// and vanishing.
+template <class S>
+concept SpeedAlongPiece = requires(const S& speed, double u) {
+    { speed.unit() } -> std::same_as<double>;
+    { speed.size() } -> std::same_as<double>; ///< the piece is no longer than a few of this
+    { speed.at(u) } -> std::same_as<double>;
+    { speed.on(u, u) } -> std::same_as<gauss::Samples>; ///< a panel by its middle and half width
+    { speed.hullOn(u, u) } -> std::same_as<SpeedHull>;  ///< a panel by its ends
+};
+
+/// Speed of a polynomial piece of degree 0 to 3 in few dimensions: its hodograph is the parabola
+/// a + b u + c u^2. Allocates nothing.
+template <int dimension> class ParabolaSpeed {
+  public:
+    explicit ParabolaSpeed(const Piece& piece);
+
+    double unit() const { return unit_; }
+    double size() const { return size_; }
+
+    double at(double u) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < coordinates; ++k) {
+            const double h = a_[k] + u * (b_[k] + u * c_[k]);
+            sum += h * h;
+        }
+        return std::sqrt(sum);
+    }
+
+    gauss::Samples on(double middle, double half) const {
+        gauss::Samples samples;
+        samples.after.fill(0);
+        samples.before.fill(0);
+        for (std::size_t k = 0; k < coordinates; ++k) {
+            const double a = a_[k] + middle * (b_[k] + middle * c_[k]);
+            const double b = half * (b_[k] + 2 * middle * c_[k]);
+            const double c = half * half * c_[k];
+            for (std::size_t i = 0; i < gauss::pairs; ++i) {
+                const double even = a + c * gauss::squaredNodes[i];
+                const double odd = b * gauss::nodes[i];
+                samples.after[i] += (even + odd) * (even + odd);
+                samples.before[i] += (even - odd) * (even - odd);
+            }
+        }
+        takeRoots(samples.after);
+        takeRoots(samples.before);
+        return samples;
+    }
+
+    SpeedHull hullOn(double start, double end) const {
+        std::array<double, 3 * coordinates> velocities;
+        const double half = 0.5 * (end - start);
+        for (std::size_t k = 0; k < coordinates; ++k) {
+            const double from = a_[k] + start * (b_[k] + start * c_[k]);
+            velocities[k] = from;
+            velocities[coordinates + k] = from + half * (b_[k] + 2 * start * c_[k]);
+            velocities[2 * coordinates + k] = a_[k] + end * (b_[k] + end * c_[k]);
+        }
+        return hullOf(velocities, coordinates, coordinates);
+    }
+
+    /// Where the speed is not smooth: the plane's are known.
+    BranchPoints branchPoints() const
+        requires(dimension <= 2)
+    {
+        if constexpr (dimension == 2) {
+            return {{a_[0], a_[1]}, {b_[0], b_[1]}, {c_[0], c_[1]}};
+        } else {
+            return {a_[0], b_[0], c_[0]};
+        }
+    }
+
+  private:
+    static constexpr std::size_t coordinates{dimension};
+
+    std::array<double, coordinates> a_{}, b_{}, c_{};
+    double unit_ = 16;
+    double size_ = 0;
+};
+
+/// Speed of any piece, by de Casteljau's construction on its hodograph.
+class LadderSpeed {
+  public:
+    explicit LadderSpeed(const Piece& piece);
+
+    double unit() const { return unit_; }
+    double size() const { return size_; }
+    double at(double u) const;
+    gauss::Samples on(double middle, double half) const;
+    SpeedHull hullOn(double start, double end) const;
+
+  private:
+    void climbAll(std::span<double> rungs, double u) const;
+
+    std::vector<double> coordinates_; // of the hodograph's Bézier points, in units
+    mutable std::vector<double> rungs_;
+    std::size_t dimension_, width_;
+    double unit_ = 1;
+    double size_ = 0;
+};
+
+/// Calls `visit` with the quickest speed for the piece.
+template <class Visit> auto withSpeed(const Piece& piece, Visit&& visit) {
+    if (piece.form == Form::polynomial && piece.degree <= 3) {
+        switch (piece.dimension) {
+        case 1: return visit(ParabolaSpeed<1>(piece));
+        case 2: return visit(ParabolaSpeed<2>(piece));
+        case 3: return visit(ParabolaSpeed<3>(piece));
+        default: break;
+        }
+    }
+    return visit(LadderSpeed(piece));
+}
+
+/// Length, in units, of the part from u = start to u = end, on which the speed is smooth.
+template <SpeedAlongPiece Speed> double integral(const Speed& speed, double start, double end) {
+    const double half = 0.5 * (end - start);
+    return half * gauss::integralOf(speed.on(0.5 * (start + end), half));
+}
+
+} // namespace splineloft
