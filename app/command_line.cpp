@@ -265,7 +265,7 @@ class CommandLine {
         sub->add_option("--to", written_.format, "Format (default: by the ending of OUT)")
             ->check(CLI::IsMember({"json"}));
         sub->add_option("--family", written_.family,
-                        "bezier-spline, hermite, bezier or linear (default: stay)");
+                        "The family it shall be, by id (default: stay)");
         sub->callback([this] {
             if (written_.format.empty() && !endsWith(written_.output, ".json")) {
                 throw CLI::ValidationError("-o", inQuotes(written_.output) +

@@ -6,12 +6,13 @@ include(CMakePackageConfigHelpers)
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/splineloft)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/splineloft)
 
-# What a user may include; how we write JSON and how families blend is our own affair.
+# What a user may include: what splineloft.h names, and what that needs. How families blend, how
+# searches search and how JSON is written is our own affair.
+set(private families|lanes|arrangement|json_tape|json_text|two|scale|rounded|natural_slopes|arcs)
+string(APPEND private |corners|fit|knotted|proposers|change/shape|trial|branch_points|length_chart)
+string(APPEND private |length_walk|nearest_any|nearest_cubic|nearest_search|quadrature|speed)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${headers}
-        FILES_MATCHING PATTERN "*.h"
-        PATTERN "families" EXCLUDE PATTERN "lanes" EXCLUDE
-        PATTERN "arrangement.h" EXCLUDE PATTERN "json_tape.h" EXCLUDE
-        PATTERN "json_text.h" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" REGEX "/(${private})(\\.h|$)" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/core/splineloft.h DESTINATION ${headers})
 install(TARGETS splineloft_core EXPORT splineloft ARCHIVE)
 install(EXPORT splineloft NAMESPACE splineloft:: DESTINATION ${package})

@@ -18,7 +18,7 @@
 namespace splineloft {
 
 /// Samples of a curve may be so many.
-inline constexpr std::size_t mostSamples = 2'000'000;
+inline constexpr std::size_t mostSamples = mostSpots;
 
 /// So many equal steps of u on every piece, and the end.
 struct StepsPerPiece {

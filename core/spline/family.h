@@ -115,6 +115,7 @@ struct Family {
     bool usesWeights = false; ///< each control point has a weight
     bool hasHandles = false;  ///< of every three points the first is an anchor, the others handles
     std::size_t mostPoints = 1'000'000;
+    double mostCoordinate = 1e300; ///< up to which all derivatives by u are finite
     Spacing spacing = Spacing::uniform;
 
     Layout (*layout)(const Extent& extent) = nullptr;

@@ -16,9 +16,6 @@ constexpr double leastWeight = 1e-9;
 constexpr double mostWeight = 1e9;
 constexpr double mostKnot = 1e300;
 
-// Derivatives of the steepest family stay finite up to here.
-constexpr double mostCoordinate = 1e300;
-
 // Longest key spelled out in a JSON pointer, in bytes.
 constexpr std::size_t longestToken = 80;
 
@@ -199,7 +196,7 @@ std::optional<Problem> endsProblem(const Spline& spline, const Family& family) {
                        choice(accepted, [](Ends e) { return nameOf(e); })};
 }
 
-std::optional<Problem> tableProblem(const PointsView& table, int dimension,
+std::optional<Problem> tableProblem(const PointsView& table, int dimension, double most,
                                     const std::string& place) {
     if (table.dimension() != dimension) {
         return Problem{place, "has " + std::to_string(table.dimension()) + " coordinates",
@@ -208,13 +205,14 @@ std::optional<Problem> tableProblem(const PointsView& table, int dimension,
     for (std::size_t i = 0; i < table.size(); ++i) {
         for (int c = 0; c < dimension; ++c) {
             const double value = table(i, c);
-            if (std::abs(value) <= mostCoordinate) {
+            if (std::abs(value) <= most) {
                 continue;
             }
             const bool finite = std::isfinite(value);
             return Problem{place + pointerToken(i) + pointerToken(static_cast<std::size_t>(c)),
                            finite ? "is " + shortest(value) : "is not a finite number",
-                           finite ? "a number from -1e300 to 1e300" : "a finite number"};
+                           finite ? "a number from " + shortest(-most) + " to " + shortest(most)
+                                  : "a finite number"};
         }
     }
     return std::nullopt;
@@ -235,7 +233,7 @@ std::optional<Problem> tangentsProblem(const Spline& spline, const Family& famil
                            counted(points.size(), "point"),
                        "one tangent for each point"};
     }
-    return tableProblem(tangents, points.dimension(), "/tangents");
+    return tableProblem(tangents, points.dimension(), family.mostCoordinate, "/tangents");
 }
 
 std::optional<Problem> dimensionProblem(const PointsView& points) {
@@ -308,7 +306,9 @@ std::optional<Problem> problemOf(const Spline& spline, const PointsView& points,
     };
     then([&] { return endsProblem(spline, *family); });
     then([&] { return dimensionProblem(points); });
-    then([&] { return tableProblem(points, points.dimension(), "/points"); });
+    then([&] {
+        return tableProblem(points, points.dimension(), family->mostCoordinate, "/points");
+    });
     then([&] { return tangentsProblem(spline, *family, points, tangents); });
     then([&] { return parameterProblem(spline, *family); });
     then([&] { return localProblem(spline, *family, points.size()); });

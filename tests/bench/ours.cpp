@@ -95,23 +95,22 @@ Build naturalBuild(std::span<const double> x, std::span<const double> y) {
 }
 
 double length(const Pieces& pieces) {
-    return ArcLength(pieces).total();
+    return lengthOf(pieces, 1e-9);
 }
 
 void evenPoints(const Pieces& pieces, std::size_t count, std::span<double> out) {
-    const ArcLength lengths(pieces);
-    auto* next = out.data();
-    for (const auto& spot : spread(pieces, lengths, Even::length, count)) {
-        const auto position = pieces.position(spot);
-        *next++ = position[0];
-        *next++ = position[1];
-    }
+    spreadPlaces(pieces, ArcLength(pieces), count, out);
 }
 
 NearestParameter nearest(const Pieces& pieces) {
-    return [pieces](double x, double y) {
-        const auto found = nearestTo(pieces, {x, y});
-        return pieces.knots().parameter(found->spot);
+    // The index refers to the pieces, which therefore live as long.
+    struct Made {
+        explicit Made(const Pieces& given) : pieces(given), index(pieces) {}
+        Pieces pieces;
+        NearestIndex index;
+    };
+    return [made = std::make_shared<Made>(pieces)](double x, double y) {
+        return made->pieces.knots().parameter(made->index.nearest({x, y})->spot);
     };
 }
 

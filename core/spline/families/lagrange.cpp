@@ -78,6 +78,7 @@ Family lagrange() {
         .ends = {Ends::none},
         .closable = false,
         .mostPoints = mostPoints,
+        .mostCoordinate = 1e290, // second derivatives multiply it by up to 10^12
         .layout = onePiece,
     });
 }

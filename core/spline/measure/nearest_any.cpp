@@ -99,11 +99,17 @@ double AnySearch::bound(std::size_t segment) const {
 void AnySearch::look(std::size_t segment) {
     segment_ = segment;
     cuts_ = 0;
-    const Part part = seenFromPlace(segment);
-    const Piece piece = pieceOf(part);
+    whole_ = seenFromPlace(segment);
+    const Piece piece = pieceOf(whole_);
     best_.offer(segment, 0, norm(piece.bezierPoint(0)));
     best_.offer(segment, 1, norm(piece.bezierPoint(piece.degree)));
-    branch(part);
+    branch(whole_);
+}
+
+/// Measured at u as a double can hold it, not where a part says: on a piece that is fast enough the
+/// two are far apart.
+void AnySearch::offer(double u) {
+    best_.offer(segment_, u, norm(pieceOf(whole_).position(u)));
 }
 
 /// The pull of a part and the lower bound of its distance.
@@ -199,7 +205,7 @@ void AnySearch::settle(const Part& part, double start) {
                            2 * epsilon * sizes};
         },
         start);
-    best_.offer(segment_, part.low + t * (part.high - part.low), norm(piece.position(t)));
+    offer(part.low + t * (part.high - part.low));
 }
 
 void AnySearch::cut(const Part& part) {
@@ -220,7 +226,7 @@ void AnySearch::cut(const Part& part) {
             rungs[i] = 0.5 * (rungs[i] + rungs[i + width]);
         }
     }
-    best_.offer(segment_, middle, norm(pieceOf(right).bezierPoint(0)));
+    offer(middle);
     branch(left);
     branch(right);
 }

@@ -30,6 +30,7 @@ class AnySearch {
 
     Piece pieceOf(const Part& part) const;
     Part seenFromPlace(std::size_t segment) const;
+    void offer(double u);
     void branch(const Part& part);
     void settle(const Part& part, double start);
     void cut(const Part& part);
@@ -39,7 +40,8 @@ class AnySearch {
     double weightScale_;
     Point place_; // scaled
     Best best_;
-    std::size_t segment_ = 0;
+    std::size_t segment_ = 0; ///< the piece that is searched
+    Part whole_;              ///< all of it
     int cuts_ = 0;
 };
 

@@ -17,7 +17,7 @@ struct Polyline {
 };
 
 /// More spots than a screen has pixels.
-inline constexpr std::size_t mostSpots = 100'000;
+inline constexpr std::size_t mostFlatSpots = 100'000;
 
 /// The curve within `tolerance` (a length), in any dimension. The spots include all joints; those
 /// between are as few as steps as long as possible need. Each step is checked: its own Bézier
@@ -26,6 +26,6 @@ inline constexpr std::size_t mostSpots = 100'000;
 /// than rounding, as 0 and NaN are for anything bent, `most` spots or fewer are spread evenly over
 /// the pieces. Work is bounded by a multiple of `most`. No spots where there is no piece. (The
 /// steps' first guess is that the distance grows with the square of the step, as in Wang 1984.)
-Polyline flattened(const Pieces& pieces, double tolerance, std::size_t most = mostSpots);
+Polyline flattened(const Pieces& pieces, double tolerance, std::size_t most = mostFlatSpots);
 
 } // namespace splineloft
