@@ -296,6 +296,10 @@ TEST(Awkward, everyPairAnswersWithFiniteNumbers) {
             Curve curve = emptyCurve(form, points.dimension());
             curve.points = points;
             curve.tangents = familyOf(curve).usesTangents ? points : Points(points.dimension());
+            if (farthest(curve) > familyOf(curve).mostCoordinate) {
+                EXPECT_TRUE(problemOf(curve)) << wordsOf(curve);
+                continue;
+            }
             ASSERT_FALSE(problemOf(curve)) << wordsOf(curve);
             for (const auto& target : familyIds()) {
                 SCOPED_TRACE(wordsOf(curve) + " to " + target);

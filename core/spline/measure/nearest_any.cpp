@@ -192,7 +192,21 @@ void AnySearch::branch(const Part& part) {
 }
 
 void AnySearch::settle(const Part& part, double start) {
-    const Piece piece = pieceOf(part);
+    // A part may be far smaller than the whole: in units of its own size, so that products of its
+    // coordinates do not vanish.
+    Part near = part;
+    const auto width = static_cast<std::size_t>(pieceOf(part).width());
+    const auto isWeight = [&](std::size_t i) {
+        return i % width >= static_cast<std::size_t>(pieces_.dimension());
+    };
+    double largest = 0;
+    for (std::size_t i = 0; i < near.coordinates.size(); ++i) {
+        largest = isWeight(i) ? largest : std::max(largest, std::abs(near.coordinates[i]));
+    }
+    for (std::size_t i = 0; i < near.coordinates.size(); ++i) {
+        near.coordinates[i] *= isWeight(i) ? 1 : scaleFor(largest);
+    }
+    const Piece piece = pieceOf(near);
     const double t = risingZero(
         [&](double at) {
             const Jet jet = piece.jet(at);
