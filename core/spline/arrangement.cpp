@@ -118,17 +118,15 @@ std::vector<double> middleLegs(const std::vector<double>& legs, std::size_t degr
 }
 
 /// A closed B-spline's own knots, one a joint, continued around the loop: `degree` before them and
-/// as many behind.
+/// as many behind. Interval after interval, so that they never fall, however far apart they are.
 std::vector<double> periodicKnots(const std::vector<double>& own, std::size_t degree) {
     const auto pieces = own.size() - 1;
-    const double period = own.back() - own.front();
-    std::vector<double> knots;
-    for (std::size_t i = 0; i < pieces + 2 * degree + 1; ++i) {
-        const auto from = static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(degree);
-        const auto around = static_cast<std::ptrdiff_t>(pieces);
-        const auto turns = (from >= 0 ? from : from - around + 1) / around;
-        knots.push_back(own[static_cast<std::size_t>(from - turns * around)] +
-                        static_cast<double>(turns) * period);
+    const auto interval = [&](std::size_t piece) { return own[piece + 1] - own[piece]; };
+    std::vector<double> knots(degree);
+    knots.insert(knots.end(), own.begin(), own.end());
+    for (std::size_t k = 0; k < degree; ++k) {
+        knots.push_back(knots.back() + interval(k % pieces));
+        knots[degree - 1 - k] = knots[degree - k] - interval(pieces - 1 - k % pieces);
     }
     return knots;
 }

@@ -214,5 +214,22 @@ TEST(Pieces, ofManyPointsAreQuick) {
     }
 }
 
+/// Found by a fuzzer: around the loop, 8 was once counted as -1e300 + 1e300.
+TEST(Knots, ofAClosedCurveNeverFallHoweverFarApartTheyAre) {
+    Curve curve;
+    curve.family = "b-spline";
+    curve.closed = true;
+    curve.ends = Ends::none;
+    curve.points = {{-62.5, 379}, {-510, -53}, {-268, 386}, {207, 293}, {209, 291}};
+    curve.knots = {-1e300, 0, 0, 3, 8, 8};
+    ASSERT_FALSE(problemOf(curve));
+    const Pieces pieces = piecesOf(curve);
+    EXPECT_EQ(pieces.size(), 3u);
+    for (const double coordinate : pieces.bezier()) {
+        EXPECT_TRUE(std::isfinite(coordinate));
+    }
+    EXPECT_EQ(pieces.knots().end(), 8);
+}
+
 } // namespace
 } // namespace splineloft
