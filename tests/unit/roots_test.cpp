@@ -103,5 +103,15 @@ TEST(Roots, whatIsBelowRoundingIsZero) {
     EXPECT_TRUE(rootsOf(std::vector{1.0, -1.0}, std::nan("")).empty());
 }
 
+/// Found by a fuzzer: Newton's first step leads from one half to the flat end beside 1 exactly.
+TEST(Roots, doNotHideBehindAFlatEnd) {
+    std::vector<double> steps(20);
+    steps[11] = -29.864435792103006;
+    steps[12] = 29.864435792103006;
+    steps[13] = -2.2e-296;
+    const auto roots = rootsOf(steps);
+    EXPECT_TRUE(std::ranges::any_of(roots, [](double u) { return std::abs(u - 0.6) < 1e-14; }));
+}
+
 } // namespace
 } // namespace splineloft

@@ -141,7 +141,10 @@ class Search {
             const double middle = 0.5 * (low + high);
             double next = u - value / slope;
             if (!(low < next && next < high) || !(std::abs(next - u) < 0.5 * step)) {
-                next = next == u ? u : middle;
+                // Standing still is arriving, but not where the slope is that of a zero farther on:
+                // at the flat end of a polynomial that vanishes there to a high order.
+                const bool arrived = next == u && (slope > 0) == rises;
+                next = arrived ? u : middle;
             }
             step = std::abs(next - u);
             if (step == 0) {
