@@ -17,14 +17,6 @@ constexpr int deepest = 54;
 // Halvings altogether: far more than any zeros need, so that no input takes forever.
 constexpr int mostCuts = 20'000;
 
-double largestOf(std::span<const double> coefficients) {
-    double largest = 0;
-    for (const double c : coefficients) {
-        largest = std::max(largest, std::abs(c));
-    }
-    return largest;
-}
-
 /// One search in one polynomial.
 class Search {
   public:

@@ -1,6 +1,7 @@
 #include "core/spline/algebra/rounded.h"
 
 #include "core/spline/algebra/roots.h"
+#include "core/spline/algebra/scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,6 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // The relative rounding that Bézier points come with: families round a few times.
 constexpr double roundingOfPoints = 4 * epsilon;
-
-double largestOf(const Bernstein& coefficients) {
-    double largest = 0;
-    for (const double c : coefficients) {
-        largest = std::max(largest, std::abs(c));
-    }
-    return largest;
-}
 
 /// The e for which `value` is m * 2^e with 1/2 <= m < 1; 0 for zero and for what is not finite.
 int exponentOf(double value) {

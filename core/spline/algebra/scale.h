@@ -3,8 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace splineloft {
+
+/// The largest size of any of the numbers; 0 of none.
+inline double largestOf(std::span<const double> numbers) {
+    double largest = 0;
+    for (const double x : numbers) {
+        largest = std::max(largest, std::abs(x));
+    }
+    return largest;
+}
 
 /// A power of two by which numbers up to `largest` are multiplied to be squared safely; 1 for all
 /// ordinary sizes. Multiplying by it is exact.

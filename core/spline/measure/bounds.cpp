@@ -28,11 +28,7 @@ std::vector<double> placesOf(const Piece& piece, int coordinate) {
 /// squared on a rational piece.
 Bernstein levelSpots(const Piece& piece, int coordinate) {
     Bernstein own = piece.column(coordinate);
-    double largest = 0;
-    for (const double value : own) {
-        largest = std::max(largest, std::abs(value));
-    }
-    const double scale = scaleFor(largest);
+    const double scale = scaleFor(largestOf(own));
     std::ranges::transform(own, own.begin(), [=](double value) { return scale * value; });
     if (piece.form == Form::polynomial) {
         return derivative(own);

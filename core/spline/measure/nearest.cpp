@@ -1,5 +1,6 @@
 #include "core/spline/measure/nearest.h"
 
+#include "core/spline/algebra/scale.h"
 #include "core/spline/measure/nearest_any.h"
 #include "core/spline/measure/nearest_cubic.h"
 
@@ -11,14 +12,6 @@
 
 namespace splineloft {
 namespace {
-
-double largestOf(std::span<const double> numbers) {
-    double largest = 0;
-    for (const double x : numbers) {
-        largest = std::max(largest, std::abs(x));
-    }
-    return largest;
-}
 
 /// Calls `use` with the quickest search for these pieces, whose largest coordinate is given.
 template <std::size_t dimension, class Use>

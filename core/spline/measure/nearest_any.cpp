@@ -13,14 +13,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // So that differences of coordinates of any size stay finite.
 constexpr double sixteenth = 1.0 / 16;
 
-double largestOf(std::span<const double> numbers) {
-    double largest = 0;
-    for (const double x : numbers) {
-        largest = std::max(largest, std::abs(x));
-    }
-    return largest;
-}
-
 void divide(Bernstein& numbers, double divisor) {
     for (auto& x : numbers) {
         x /= divisor;
