@@ -87,7 +87,7 @@ Result<Chosen> choose(const CurveChoice& choice, std::istream& standardInput) {
         refusal.file = file;
         return refusal;
     }
-    return Chosen{document->curves[*index], file, "/curves/" + std::to_string(*index)};
+    return Chosen{document->curves[*index].curve, file, "/curves/" + std::to_string(*index)};
 }
 
 /// The spots that are asked for, if the curve has them.

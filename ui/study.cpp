@@ -6,6 +6,7 @@
 #include "ui/canvas/viewport.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -187,7 +188,7 @@ bool Study::isOnCurve(std::size_t control) const {
 void Studies::follow(const Document& document) {
     std::vector<std::unique_ptr<Study>> next;
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
-        const auto& curve = document.curves[i];
+        const auto& curve = document.curves[i].curve;
         const auto known = std::ranges::find(curves_, curve);
         if (known != curves_.end()) {
             auto& study = studies_[static_cast<std::size_t>(known - curves_.begin())];
@@ -199,7 +200,8 @@ void Studies::follow(const Document& document) {
         const Study* earlier = i < studies_.size() ? studies_[i].get() : nullptr;
         next.push_back(std::make_unique<Study>(curve, earlier));
     }
-    curves_ = document.curves;
+    curves_.clear();
+    std::ranges::transform(document.curves, std::back_inserter(curves_), &CurveEntry::curve);
     studies_ = std::move(next);
 }
 

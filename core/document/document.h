@@ -5,6 +5,8 @@
 #include "core/spline/problem.h"
 
 #include <compare>
+#include <concepts>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,14 +17,54 @@ namespace splineloft {
 inline constexpr std::size_t mostPointsOfACurve = 1'000'000;
 inline constexpr double largestCoordinate = 1e9;
 
+/// How a curve is shown, and whether hands may touch it: no part of what the curve is.
+struct Look {
+    bool visible = true;
+    bool locked = false;
+    int colour = 0; ///< 0 is the usual one; 1 .. curveColours are those of the theme, in turn
+    bool operator==(const Look&) const = default;
+};
+inline constexpr int curveColours = 7;
+
+/// How the handles beside an anchor of a Bézier spline hang together.
+enum class HandleMode {
+    corner,   ///< each by itself
+    aligned,  ///< in line, of different lengths
+    mirrored, ///< in line, of one length
+    automatic ///< where the neighbouring anchors put them
+};
+
+/// Modes of anchors, by index, where they are not those that the handles' places show.
+using HandleModes = std::map<std::size_t, HandleMode>;
+
+/// A curve in a document, and how hands work on it there. Reads like a pointer to the curve;
+/// another curve put in its place leaves the rest as it is.
+struct CurveEntry {
+    template <std::convertible_to<std::shared_ptr<const Curve>> Pointer>
+    CurveEntry(Pointer pointer) : curve(std::move(pointer)) {}
+    template <std::convertible_to<std::shared_ptr<const Curve>> Pointer>
+    CurveEntry& operator=(Pointer pointer) {
+        curve = std::move(pointer);
+        return *this;
+    }
+
+    const Curve& operator*() const { return *curve; }
+    const Curve* operator->() const { return curve.get(); }
+    /// Equal where the curves are, shared or not.
+    bool operator==(const CurveEntry& other) const;
+
+    std::shared_ptr<const Curve> curve;
+    Look look;
+    HandleModes handleModes;
+};
+
 /// Curves in the order in which they are drawn.
 struct Document {
-    std::vector<std::shared_ptr<const Curve>> curves;
+    std::vector<CurveEntry> curves;
     /// What other programs keep in the file: JSON text of one object, carried along untouched.
     std::string extras = "{}";
 
-    /// Equal where every curve is equal, shared or not.
-    bool operator==(const Document& other) const;
+    bool operator==(const Document&) const = default;
 };
 
 /// What of a curve a `PointId` means.
