@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/document/plane_map.h"
 
 #include <span>
 #include <string>
@@ -15,6 +16,13 @@ namespace splineloft {
 /// line.
 Document movePoints(const Document& document, std::span<const PointId> ids, const Point& delta);
 
+/// Maps two coordinates of control points, numbers `across` and `up` (the last one where a curve
+/// has fewer). Handles go along with their anchors, tangents with their points by the map's linear
+/// part. A curve of one coordinate follows `up` alone, and stays where the map would turn it.
+/// Places are rounded to 14 digits.
+Document transformPoints(const Document& document, std::span<const PointId> ids,
+                         const PlaneMap& map, int across, int up);
+
 /// Puts one control point at `place`, or gives a tangent that value. Nothing else moves.
 Document setPoint(const Document& document, const PointId& id, const Point& place);
 
@@ -26,10 +34,16 @@ Document insertPoint(const Document& document, std::size_t curve, std::size_t be
 struct Inserted {
     Document document;
     PointId point;
+    bool keepsShape = false; ///< the curve still goes where it went
 };
 
-/// Adds a control point at a spot of the curve. In a Bézier spline the piece is cut there and keeps
-/// its shape; elsewhere the new point lands on the old curve.
+/// Whether `insertOnCurve` keeps the shape of such a curve.
+bool insertionKeepsShape(const Curve& curve);
+
+/// Adds a control point at a spot of the curve. Bézier splines, whose piece is cut there, B-splines
+/// and NURBS, which get a knot there (and so knots of their own), and polygons keep their shape;
+/// automatic handles beside the spot follow, all the same. Elsewhere the new point lands on the old
+/// curve.
 Inserted insertOnCurve(const Document& document, std::size_t curve, Spot spot);
 
 /// Adds a control point after the last; a Bézier spline also gets the two handles in between.
@@ -38,6 +52,13 @@ Inserted appendPoint(const Document& document, std::size_t curve, const Point& p
 /// Deletes control points, and every curve that has none left. In a Bézier spline an anchor goes
 /// with its handles, and a handle alone is drawn in to its anchor.
 Document deletePoints(const Document& document, std::span<const PointId> ids);
+
+/// Deletes control points as `deletePoints` does, and moves their neighbours so that the curve
+/// stays as near to where it was as it can; never farther than it would be without. In a Bézier
+/// spline the two handles of the merged piece change their lengths, in a Hermite curve the
+/// neighbouring tangents change, elsewhere a few control points on either side move. The ends of an
+/// open curve stay; beyond points deleted at an end there is nothing to heal.
+Document deleteAndHeal(const Document& document, std::span<const PointId> ids);
 
 /// Draws the same points as another family. Parameters start at their neutral values; closing
 /// stays where the family allows it, and so do ends that are not the usual ones of the old family;
