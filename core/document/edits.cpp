@@ -1,26 +1,17 @@
 #include "core/document/edits.h"
 
-#include "core/document/handles.h"
+#include "core/document/change.h"
 #include "core/document/lists.h"
-#include "core/spline/catalog.h"
+#include "core/document/tangents.h"
+#include "core/document/tidy.h"
+#include "core/spline/change/knots.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <cmath>
 #include <set>
 
 namespace splineloft {
 namespace {
-
-/// The document with one curve changed by `change`.
-template <class Change>
-Document changed(const Document& document, std::size_t index, Change change) {
-    auto curve = std::make_shared<Curve>(*document.curves[index]);
-    change(*curve);
-    Document next = document;
-    next.curves[index] = std::move(curve);
-    return next;
-}
 
 /// `delta` with as many coordinates as `dimension`.
 Point fitted(const Point& delta, int dimension) {
@@ -31,20 +22,6 @@ Point fitted(const Point& delta, int dimension) {
     return result;
 }
 
-/// a + b without the dust that adding decimals in binary leaves behind: to 14 significant digits.
-double cleanSum(double a, double b) {
-    if (b == 0) {
-        return a;
-    }
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), a + b,
-                                   std::chars_format::scientific, 13)
-                         .ptr;
-    double sum = 0;
-    std::from_chars(text.data(), end, sum);
-    return sum;
-}
-
 Point movedBy(Point place, const Point& delta) {
     for (int c = 0; c < place.dimension(); ++c) {
         place[c] = cleanSum(place[c], delta[c]);
@@ -52,27 +29,19 @@ Point movedBy(Point place, const Point& delta) {
     return place;
 }
 
-void movePointsOf(Curve& curve, const std::vector<PointId>& ids, const Point& delta) {
+void movePointsOf(Curve& curve, HandleModes& modes, const std::vector<PointId>& ids,
+                  const Point& delta) {
     const Curve before = curve;
-    std::set<std::size_t> moved;
     for (const auto& id : ids) {
         if (id.part == Part::tangent) {
             curve.tangents.set(id.index, movedBy(before.tangents.at(id.index), delta));
-            continue;
-        }
-        moved.insert(id.index);
-        if (hasHandles(curve) && id.index % 3 == 0) {
-            moved.merge(handlesOf(curve, id.index));
         }
     }
+    const auto moved = withTheirHandles(curve, ids);
     for (const auto index : moved) {
         curve.points.set(index, movedBy(before.points.at(index), delta));
     }
-    if (hasHandles(curve)) {
-        for (const auto index : moved) {
-            keepInLine(before, curve, index, moved);
-        }
-    }
+    keepPartners(before, curve, modes, moved);
 }
 
 /// Which index a point added at a spot should get.
@@ -88,22 +57,10 @@ std::size_t indexForSpot(const Curve& curve, Spot spot) {
                     curve.points.size());
 }
 
-/// Whether the curve's family lets a parameter have a value at each control point.
-bool mayBeLocal(const Curve& curve, std::string_view key) {
-    const auto& parameters = familyOf(curve).parameters;
-    const auto found = std::ranges::find(parameters, key, &Parameter::key);
-    return found != parameters.end() && found->local;
-}
-
-Points catmullRomTangents(const Points& points, bool closed) {
-    Points tangents(points.dimension());
-    const auto n = points.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto before = i > 0 ? i - 1 : closed ? n - 1 : 0;
-        const auto after = i + 1 < n ? i + 1 : closed ? 0 : i;
-        tangents.append(0.5 * (points.at(after) - points.at(before)));
-    }
-    return tangents;
+/// Whether the curve is its own control polygon, piece by piece.
+bool isPolygon(const Curve& curve) {
+    const auto layout = layoutOf(curve);
+    return layout.degree == 1 && layout.stride == 1;
 }
 
 Points without(const Points& points, const std::set<std::size_t>& indices) {
@@ -117,6 +74,42 @@ Points without(const Points& points, const std::set<std::size_t>& indices) {
     return kept;
 }
 
+Inserted insertAnchor(const Document& document, std::size_t curve, Spot spot) {
+    std::size_t anchor = 0;
+    bool followed = false; // by automatic handles
+    Document next = changed(document, curve, [&](Curve& changing, HandleModes& modes) {
+        anchor = cutPiece(changing, spot);
+        followed = makeRoomForMode(changing, modes, anchor);
+    });
+    return {std::move(next), {curve, anchor}, !followed};
+}
+
+/// The control point whose knots have their mean nearest to t.
+std::size_t controlNear(const Curve& curve, const Pieces& pieces, double t) {
+    const double period = pieces.knots().end() - pieces.knots().start();
+    const auto means = abscissae(curve);
+    const auto away = [&](double mean) {
+        const double way = std::abs(mean - t);
+        return curve.closed ? std::min(way, std::abs(way - period)) : way;
+    };
+    const auto nearest =
+        std::ranges::min_element(means, {}, [&](double mean) { return away(mean); });
+    return static_cast<std::size_t>(nearest - means.begin());
+}
+
+/// Nothing where the spot has all the knots that it can have.
+std::optional<Inserted> insertKnot(const Document& document, std::size_t curve, Spot spot) {
+    const Pieces pieces = piecesOf(*document.curves[curve]);
+    const double t = pieces.knots().parameter(spot);
+    const auto knotted = withKnot(*document.curves[curve], t);
+    const auto* refined = std::get_if<Curve>(&knotted);
+    if (refined == nullptr) {
+        return std::nullopt;
+    }
+    Document next = changed(document, curve, [&](Curve& changing) { changing = *refined; });
+    return Inserted{std::move(next), {curve, controlNear(*refined, pieces, t)}, true};
+}
+
 } // namespace
 
 Document movePoints(const Document& document, std::span<const PointId> ids, const Point& delta) {
@@ -126,8 +119,8 @@ Document movePoints(const Document& document, std::span<const PointId> ids, cons
         std::ranges::copy_if(ids, std::back_inserter(own),
                              [i](const PointId& id) { return id.curve == i; });
         if (!own.empty()) {
-            next = changed(next, i, [&](Curve& curve) {
-                movePointsOf(curve, own, fitted(delta, curve.points.dimension()));
+            next = changed(next, i, [&](Curve& curve, HandleModes& modes) {
+                movePointsOf(curve, modes, own, fitted(delta, curve.points.dimension()));
             });
         }
     }
@@ -135,15 +128,19 @@ Document movePoints(const Document& document, std::span<const PointId> ids, cons
 }
 
 Document setPoint(const Document& document, const PointId& id, const Point& place) {
-    return changed(document, id.curve, [&](Curve& curve) {
+    return changed(document, id.curve, [&](Curve& curve, HandleModes& modes) {
         (id.part == Part::point ? curve.points : curve.tangents).set(id.index, place);
+        if (const auto anchor = anchorOf(curve, id.index)) {
+            loosen(modes, *anchor);
+        }
     });
 }
 
 Document insertPoint(const Document& document, std::size_t curve, std::size_t before,
                      const Point& place) {
-    return changed(document, curve, [&](Curve& changing) {
+    return changed(document, curve, [&](Curve& changing, HandleModes& modes) {
         changing.points.insert(before, place);
+        modes.clear(); // anchors are handles now, and handles anchors
         addToLists(changing, before);
         if (familyOf(changing).usesTangents) {
             const auto all = catmullRomTangents(changing.points, changing.closed);
@@ -152,13 +149,19 @@ Document insertPoint(const Document& document, std::size_t curve, std::size_t be
     });
 }
 
+bool insertionKeepsShape(const Curve& curve) {
+    return hasHandles(curve) || familyOf(curve).usesKnots || isPolygon(curve);
+}
+
 Inserted insertOnCurve(const Document& document, std::size_t curve, Spot spot) {
     const Curve& old = *document.curves[curve];
     if (hasHandles(old)) {
-        std::size_t anchor = 0;
-        Document next =
-            changed(document, curve, [&](Curve& changing) { anchor = cutPiece(changing, spot); });
-        return {std::move(next), {curve, anchor}};
+        return insertAnchor(document, curve, spot);
+    }
+    if (familyOf(old).usesKnots) {
+        if (auto inserted = insertKnot(document, curve, spot)) {
+            return *inserted;
+        }
     }
     const Jet jet = piecesOf(old).jet(spot);
     const auto index = indexForSpot(old, spot);
@@ -167,7 +170,7 @@ Inserted insertOnCurve(const Document& document, std::size_t curve, Spot spot) {
         // Two pieces where there was one: each runs through its half at half the speed.
         next = setPoint(next, {curve, index, Part::tangent}, 0.5 * jet.first);
     }
-    return {std::move(next), {curve, index}};
+    return {std::move(next), {curve, index}, isPolygon(old)};
 }
 
 Inserted appendPoint(const Document& document, std::size_t curve, const Point& place) {
@@ -176,8 +179,10 @@ Inserted appendPoint(const Document& document, std::size_t curve, const Point& p
     if (!hasHandles(old) || n == 0 || old.closed) {
         return {insertPoint(document, curve, n, place), {curve, n}};
     }
-    Document next =
-        changed(document, curve, [&](Curve& changing) { appendAnchor(changing, place); });
+    Document next = changed(document, curve, [&](Curve& changing, HandleModes& modes) {
+        appendAnchor(changing, place);
+        continueMode(modes, n - 1, changing.points.size() - 1);
+    });
     const auto last = next.curves[curve]->points.size() - 1;
     return {std::move(next), {curve, last}};
 }
@@ -194,9 +199,9 @@ Document deletePoints(const Document& document, std::span<const PointId> ids) {
         if (indices.empty()) {
             continue;
         }
-        next = changed(next, i, [&](Curve& curve) {
+        next = changed(next, i, [&](Curve& curve, HandleModes& modes) {
             if (hasHandles(curve)) {
-                deleteAnchorsAndHandles(curve, indices);
+                deleteAnchorsAndHandles(curve, modes, indices);
                 return;
             }
             curve.points = without(curve.points, indices);
@@ -210,119 +215,6 @@ Document deletePoints(const Document& document, std::span<const PointId> ids) {
         }
     }
     return next;
-}
-
-Document setFamily(const Document& document, std::size_t curve, std::string_view family) {
-    const Family* wanted = findFamily(family);
-    if (wanted == nullptr || document.curves[curve]->family == family) {
-        return document;
-    }
-    return changed(document, curve, [&](Curve& changing) {
-        const Family& before = familyOf(changing);
-        const bool usual = changing.ends == before.ends.front();
-        changing.family = family;
-        changing.closed = changing.closed && wanted->closable;
-        dropUnusedLists(changing);
-        if (!(before.usesKnots && wanted->usesKnots)) { // of two B-splines all means the same
-            changing.parameters.clear(); // elsewhere the same word means something else
-            changing.local.clear();
-            dropKnots(changing);
-            changing.ends = usual ? wanted->ends.front() : changing.ends;
-        }
-        completeParameters(changing);
-        changing.tangents = wanted->usesTangents
-                                ? catmullRomTangents(changing.points, changing.closed)
-                                : Points(changing.points.dimension());
-    });
-}
-
-Document setParameter(const Document& document, std::size_t curve, std::string_view key,
-                      double value) {
-    return changed(document, curve, [&](Curve& changing) {
-        const auto before = parameterOf(changing, key);
-        changing.parameters[std::string(key)] = value;
-        if (familyOf(changing).usesKnots && value != before) {
-            dropKnots(changing); // they belong to the degree, and stand in place of a spacing
-        }
-    });
-}
-
-Document makeLocal(const Document& document, std::size_t curve, std::string_view key) {
-    const Curve& old = *document.curves[curve];
-    if (!mayBeLocal(old, key) || old.local.contains(std::string(key)) || old.points.empty()) {
-        return document;
-    }
-    return changed(document, curve, [&](Curve& changing) {
-        changing.local[std::string(key)].assign(old.points.size(), parameterOf(old, key));
-    });
-}
-
-Document makeGlobal(const Document& document, std::size_t curve, std::string_view key) {
-    const auto& local = document.curves[curve]->local;
-    const auto found = local.find(std::string(key));
-    if (found == local.end()) {
-        return document;
-    }
-    return changed(document, curve, [&](Curve& changing) {
-        const auto& values = found->second;
-        if (std::ranges::all_of(values, [&](double v) { return v == values.front(); })) {
-            changing.parameters[std::string(key)] = values.front();
-        }
-        changing.local.erase(std::string(key));
-    });
-}
-
-Document setLocal(const Document& document, std::size_t curve, std::string_view key,
-                  std::span<const std::size_t> points, double value) {
-    const Document local = makeLocal(document, curve, key);
-    if (!local.curves[curve]->local.contains(std::string(key))) {
-        return document;
-    }
-    return changed(local, curve, [&](Curve& changing) {
-        auto& values = changing.local.at(std::string(key));
-        for (const auto index : points) {
-            if (index < values.size()) {
-                values[index] = value;
-            }
-        }
-        if (points.empty()) {
-            std::ranges::fill(values, value);
-        }
-    });
-}
-
-Document setWeight(const Document& document, std::size_t curve, std::size_t point, double weight) {
-    const Curve& old = *document.curves[curve];
-    if (!familyOf(old).usesWeights || point >= old.points.size()) {
-        return document;
-    }
-    return changed(document, curve, [&](Curve& changing) {
-        auto& weights = changing.weights;
-        weights.resize(changing.points.size(), 1);
-        weights[point] = weight;
-        if (std::ranges::all_of(weights, [](double w) { return w == 1; })) {
-            weights.clear();
-        }
-    });
-}
-
-Document setEnds(const Document& document, std::size_t curve, Ends ends) {
-    return changed(document, curve, [&](Curve& changing) {
-        changing.ends = ends;
-        dropKnots(changing);
-    });
-}
-
-Document setClosed(const Document& document, std::size_t curve, bool closed) {
-    return changed(document, curve, [&](Curve& changing) {
-        if (hasHandles(changing)) {
-            fitHandlesToClosing(changing, closed);
-        }
-        if (changing.closed != closed) {
-            changing.closed = closed;
-            dropKnots(changing); // an open curve has others than a closed one
-        }
-    });
 }
 
 Document addCurve(const Document& document, Curve curve) {

@@ -1,18 +1,11 @@
 #include "core/document/handles.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 namespace splineloft {
 namespace {
-
-/// Whether two handles and the anchor between them lie on one line, the anchor in the middle.
-bool inLine(const Point& handle, const Point& anchor, const Point& partner) {
-    const Point a = anchor - handle;
-    const Point b = partner - anchor;
-    const double lengths = norm(a) * norm(b);
-    return lengths > 0 && dot(a, b) >= lengths * (1 - 1e-9);
-}
 
 /// An anchor of a Bézier spline with the handles that arrive and leave.
 struct Node {
@@ -111,20 +104,34 @@ std::set<std::size_t> handlesOf(const Curve& curve, std::size_t anchor) {
     return handles;
 }
 
-void keepInLine(const Curve& before, Curve& after, std::size_t handle,
-                const std::set<std::size_t>& moved) {
-    const auto anchor = anchorOf(before, handle);
-    const auto partner = partnerOf(before, handle);
-    if (!anchor || !partner || moved.contains(*anchor) || moved.contains(*partner) ||
-        !inLine(before.points.at(handle), before.points.at(*anchor), before.points.at(*partner))) {
-        return;
+std::optional<std::size_t> anchorBefore(const Curve& curve, std::size_t anchor) {
+    const auto n = curve.points.size();
+    if (anchor >= 3) {
+        return anchor - 3;
     }
-    const Point at = after.points.at(*anchor);
-    const Point away = at - after.points.at(handle);
-    if (norm(away) > 0) {
-        const double reach = distance(before.points.at(*partner), at);
-        after.points.set(*partner, at + (reach / norm(away)) * away);
+    return curve.closed && n > 0 && n % 3 == 0 ? std::optional(n - 3) : std::nullopt;
+}
+
+std::optional<std::size_t> anchorAfter(const Curve& curve, std::size_t anchor) {
+    const auto n = curve.points.size();
+    if (anchor + 3 < n) {
+        return anchor + 3;
     }
+    return curve.closed && anchor + 3 == n ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+std::set<std::size_t> withTheirHandles(const Curve& curve, std::span<const PointId> ids) {
+    std::set<std::size_t> points;
+    for (const auto& id : ids) {
+        if (id.part == Part::tangent) {
+            continue;
+        }
+        points.insert(id.index);
+        if (hasHandles(curve) && id.index % 3 == 0) {
+            points.merge(handlesOf(curve, id.index));
+        }
+    }
+    return points;
 }
 
 std::size_t cutPiece(Curve& curve, Spot spot) {
@@ -150,11 +157,13 @@ void appendAnchor(Curve& curve, const Point& place) {
     curve.points.append(place);
 }
 
-void deleteAnchorsAndHandles(Curve& curve, const std::set<std::size_t>& indices) {
+void deleteAnchorsAndHandles(Curve& curve, HandleModes& modes,
+                             const std::set<std::size_t>& indices) {
     bool anchorsGo = false;
     for (const auto index : indices) {
         if (const auto anchor = anchorOf(curve, index)) {
             curve.points.set(index, curve.points.at(*anchor));
+            loosen(modes, *anchor);
         }
         anchorsGo = anchorsGo || index % 3 == 0;
     }
@@ -169,6 +178,13 @@ void deleteAnchorsAndHandles(Curve& curve, const std::set<std::size_t>& indices)
         }
     }
     curve.points = pointsThrough(kept, curve);
+    modes = renumbered(modes, [&](std::size_t anchor) -> std::optional<std::size_t> {
+        const auto gone = std::ranges::count_if(
+            indices, [&](std::size_t index) { return index % 3 == 0 && index < anchor; });
+        return indices.contains(anchor)
+                   ? std::nullopt
+                   : std::optional(anchor - 3 * static_cast<std::size_t>(gone));
+    });
 }
 
 void fitHandlesToClosing(Curve& curve, bool closed) {
