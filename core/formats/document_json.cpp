@@ -1,6 +1,6 @@
 #include "core/formats/document_json.h"
 
-#include "core/formats/json_tape.h"
+#include "core/formats/handling_json.h"
 #include "core/formats/json_text.h"
 #include "core/spline/catalog.h"
 
@@ -69,13 +69,26 @@ void writeCurve(JsonText& json, const Curve& curve) {
     json.end();
 }
 
+/// The document's extras with what this program adds to them.
+Result<std::string> extrasOf(const Document& document) {
+    auto extras = tidyObject(document.extras);
+    const auto own = handlingAsJson(document);
+    if (!extras || own.empty()) {
+        return extras;
+    }
+    const auto others = std::string_view(*extras).substr(0, extras->rfind('}'));
+    const bool alone = *extras == "{}";
+    return tidyObject(std::string(others) + (alone ? "\"" : ", \"") + std::string(ownExtrasKey) +
+                      "\": " + own + "}");
+}
+
 } // namespace
 
 std::string writeDocument(const Document& document) {
     if (const auto problem = problemOf(document)) {
         throw std::invalid_argument(problem->place + " " + problem->what);
     }
-    const auto extras = tidyObject(document.extras);
+    const auto extras = extrasOf(document);
     if (!extras) {
         throw std::invalid_argument("extras: " + extras.refusal().message());
     }

@@ -16,8 +16,9 @@ namespace splineloft {
 /// JSON pointer where it was JSON and at line:column where it was not. The refusal names no file.
 Result<Document> readDocument(std::string_view text);
 
-/// The text of a document, defaults written out. Throws std::invalid_argument where the document
-/// has a problem (see `problemOf`) or its extras are not the text of one JSON object.
+/// The text of a document, defaults written out; how its curves are handled stands in its extras
+/// (handling_json.h). Throws std::invalid_argument where the document has a problem (see
+/// `problemOf`), or its extras are not the text of one JSON object without our own key.
 std::string writeDocument(const Document& document);
 
 /// The usual names of so many coordinates: x, y, z, w, c4, c5, ...

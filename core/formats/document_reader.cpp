@@ -1,27 +1,16 @@
 // Reading a document: what the format asks of the JSON values. What makes sense for a curve is
 // known to the curves themselves (`problemOf`) and asked of them last.
 #include "core/formats/document_json.h"
-#include "core/formats/json_tape.h"
+#include "core/formats/handling_json.h"
+#include "core/formats/value_reader.h"
 #include "core/spline/catalog.h"
 
 #include <algorithm>
-#include <map>
-#include <optional>
 
 namespace splineloft {
 namespace {
 
 constexpr std::string_view extrasKey = "extras";
-
-using Keys = std::vector<std::string_view>;
-
-std::string listed(const Keys& words) {
-    std::string list;
-    for (const auto word : words) {
-        list += (list.empty() ? "" : ", ") + std::string(word);
-    }
-    return list;
-}
 
 /// The keys that a curve of the family may have.
 Keys curveKeys(const Family& family) {
@@ -41,9 +30,7 @@ Keys curveKeys(const Family& family) {
     return keys;
 }
 
-/// Reads one document and remembers the first thing that is wrong. After that it only has to come
-/// to an end: what it returns then is not used.
-class DocumentReader {
+class DocumentReader : private ValueReader {
   public:
     Document document(const JsonValue& root) {
         const JsonPlace top;
@@ -59,104 +46,17 @@ class DocumentReader {
             });
         }
         if (const auto* extras = optional(members, extrasKey)) {
-            expect(*extras, JsonKind::object, {top, extrasKey});
+            readOwnExtras(*extras, {top, extrasKey}, document);
         }
-        if (!refusal_) {
+        if (!refusal()) {
             refuseProblem(problemOf(document));
         }
         return document;
     }
 
-    const std::optional<Refusal>& refusal() const { return refusal_; }
+    using ValueReader::refusal;
 
   private:
-    using Members = std::map<std::string_view, JsonValue>;
-
-    void refuse(const JsonPlace& place, std::string what, std::string remedy) {
-        if (!refusal_) {
-            refusal_ = Refusal{"", place.pointer(), std::move(what), std::move(remedy)};
-        }
-    }
-
-    void refuseProblem(const std::optional<Problem>& problem, const JsonPlace& within = {}) {
-        if (!problem || refusal_) {
-            return;
-        }
-        refusal_ = Refusal{"", within.pointer() + problem->place, problem->what, problem->remedy};
-    }
-
-    bool expect(const JsonValue& value, JsonKind kind, const JsonPlace& place) {
-        if (value.kind() == kind) {
-            return true;
-        }
-        constexpr std::string_view verb = "is ";
-        refuse(place, std::string(describe(value.kind())),
-               std::string(describe(kind).substr(verb.size())));
-        return false;
-    }
-
-    Members membersOf(const JsonValue& object, const JsonPlace& place) {
-        Members members;
-        if (expect(object, JsonKind::object, place)) {
-            for (auto entry = object.inside(); !object.ends(entry);) {
-                const auto value = entry.next();
-                members.emplace(entry.text(), value);
-                entry = value.next();
-            }
-        }
-        return members;
-    }
-
-    template <class Visit>
-    void eachOf(const JsonValue& array, const JsonPlace& place, Visit visit) {
-        if (!expect(array, JsonKind::array, place)) {
-            return;
-        }
-        std::size_t index = 0;
-        for (auto entry = array.inside(); !array.ends(entry) && !refusal_; entry = entry.next()) {
-            visit(entry, JsonPlace(place, index++));
-        }
-    }
-
-    static const JsonValue* optional(const Members& members, std::string_view key) {
-        const auto found = members.find(key);
-        return found == members.end() ? nullptr : &found->second;
-    }
-
-    const JsonValue* required(const Members& members, std::string_view key, const JsonPlace& place,
-                              std::string remedy) {
-        const auto* value = optional(members, key);
-        if (value == nullptr) {
-            refuse({place, key}, "is missing", std::move(remedy));
-        }
-        return value;
-    }
-
-    void allowOnly(const Keys& keys, const Members& members, const JsonPlace& place,
-                   std::string_view owner) {
-        for (const auto& [key, value] : members) {
-            if (std::ranges::find(keys, key) == keys.end()) {
-                refuse({place, key}, inQuotes(key) + " is no key of " + std::string(owner),
-                       "one of " + listed(keys) +
-                           "; other data may stand in the document's extras");
-            }
-        }
-    }
-
-    double number(const JsonValue& value, const JsonPlace& place) {
-        return expect(value, JsonKind::number, place) ? value.number() : 0;
-    }
-
-    std::string text(const JsonValue& value, const JsonPlace& place) {
-        if (!expect(value, JsonKind::text, place)) {
-            return "";
-        }
-        if (value.text().find('\0') != std::string_view::npos) {
-            refuse(place, "contains a NUL character", "text without it");
-        }
-        return std::string(value.text());
-    }
-
     void checkHead(const Members& members, const JsonPlace& top) {
         if (const auto* format = required(members, "format", top, "\"splineloft\"")) {
             if (const auto name = text(*format, {top, "format"}); name != "splineloft") {
@@ -230,7 +130,7 @@ class DocumentReader {
             curve.coordinates = coordinateNames(*names, {place, "coordinates"});
         }
         const auto* points = required(members, "points", place, "an array of points");
-        if (points == nullptr || refusal_) {
+        if (points == nullptr || refusal()) {
             return;
         }
         const auto named = static_cast<int>(curve.coordinates.size());
@@ -291,7 +191,7 @@ class DocumentReader {
         Points table(usual);
         eachOf(value, place, [&](const JsonValue& row, const JsonPlace& here) {
             Point point = this->row(row, here);
-            if (refusal_) {
+            if (refusal()) {
                 return;
             }
             if (table.empty()) {
@@ -345,13 +245,19 @@ class DocumentReader {
         }
     }
 
-    std::optional<Refusal> refusal_;
+    /// What this program keeps in the extras; on the tape there is nothing else in them.
+    void readOwnExtras(const JsonValue& extras, const JsonPlace& place, Document& document) {
+        const auto members = membersOf(extras, place);
+        if (const auto* own = optional(members, ownExtrasKey)) {
+            readHandling(*own, {place, ownExtrasKey}, *this, document);
+        }
+    }
 };
 
 } // namespace
 
 Result<Document> readDocument(std::string_view text) {
-    const auto tape = readJson(text, extrasKey);
+    const auto tape = readJson(text, {extrasKey, ownExtrasKey});
     if (!tape) {
         return tape.refusal();
     }

@@ -59,7 +59,7 @@ std::string asSpelled(std::string number) {
 /// whether to go on.
 class JsonTapeWriter {
   public:
-    JsonTapeWriter(std::string_view source, std::optional<std::string_view> kept)
+    JsonTapeWriter(std::string_view source, std::optional<KeptMember> kept)
         : source_(source), kept_(kept) {}
 
     bool null() {
@@ -105,6 +105,9 @@ class JsonTapeWriter {
         if (!level.keys.insert(name).second) {
             return refuse(pointer(), "stands twice in its object", "each key once");
         }
+        if (levels_.size() == keptLevel_) {
+            excepted_ = kept_ && name == kept_->exception;
+        }
         if (keeping()) {
             keptText_.key(name);
         } else {
@@ -144,13 +147,13 @@ class JsonTapeWriter {
         std::set<std::string> keys = {};
     };
 
-    bool keeping() const { return keptLevel_ != 0; }
+    bool keeping() const { return keptLevel_ != 0 && !excepted_; }
     /// Whether the value that begins now is the one to be kept as text.
     bool isKept() const {
         if (!kept_) {
             return levels_.empty();
         }
-        return levels_.size() == 1 && levels_[0].isObject && levels_[0].key == *kept_;
+        return levels_.size() == 1 && levels_[0].isObject && levels_[0].key == kept_->key;
     }
 
     void arrive() {
@@ -207,6 +210,9 @@ class JsonTapeWriter {
         return true;
     }
     bool end() {
+        if (levels_.size() == keptLevel_) {
+            excepted_ = false;
+        }
         if (keeping()) {
             keptText_.end();
             keptLevel_ = levels_.size() == keptLevel_ ? 0 : keptLevel_;
@@ -232,8 +238,9 @@ class JsonTapeWriter {
     }
 
     std::string_view source_;
-    std::optional<std::string_view> kept_; ///< key of the member to be kept; none: the whole
-    std::size_t keptLevel_ = 0; ///< number of levels down to the kept object, while in it
+    std::optional<KeptMember> kept_; ///< none: the whole
+    std::size_t keptLevel_ = 0;      ///< number of levels down to the kept object, while in it
+    bool excepted_ = false;          ///< while in what is excepted from being kept
     std::vector<Level> levels_;
     JsonTape tape_;
     JsonText keptText_;
@@ -242,7 +249,7 @@ class JsonTapeWriter {
 
 namespace {
 
-Result<JsonTape> read(std::string_view text, std::optional<std::string_view> kept) {
+Result<JsonTape> read(std::string_view text, std::optional<KeptMember> kept) {
     if (text.size() > largestFile) {
         return Refusal{"", "", "has " + std::to_string(text.size()) + " bytes",
                        "at most 64 MB: " + std::to_string(largestFile) + " bytes"};
@@ -260,7 +267,7 @@ Result<JsonTape> read(std::string_view text, std::optional<std::string_view> kep
 
 } // namespace
 
-Result<JsonTape> readJson(std::string_view text, std::string_view kept) {
+Result<JsonTape> readJson(std::string_view text, const KeptMember& kept) {
     return read(text, kept);
 }
 

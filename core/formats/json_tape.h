@@ -103,9 +103,15 @@ class JsonTape {
     std::string keptText_;
 };
 
-/// Reads a text. An object that is the member `kept` of the outermost object is kept as text,
-/// tidied but with every number spelled as it was; on the tape it is empty.
-Result<JsonTape> readJson(std::string_view text, std::string_view kept);
+/// Which member of the outermost object is kept as text.
+struct KeptMember {
+    std::string_view key;
+    std::string_view exception; ///< a member of its own that is not
+};
+
+/// Reads a text. An object that is the kept member is kept as text, tidied but with every number
+/// spelled as it was; on the tape it is empty but for its exception.
+Result<JsonTape> readJson(std::string_view text, const KeptMember& kept);
 
 /// Tidies the text of one JSON object: our layout, numbers spelled as they were.
 Result<std::string> tidyObject(std::string_view text);

@@ -148,6 +148,14 @@ def cases_of_documents():
     yield True, document()
     yield True, document(curve(), curve("linear"), curve("hermite"))
     yield True, document(extras={"anything": [1, {"goes": None}]})
+    spline = curve("bezier-spline")
+    handled = [{"visible": False, "locked": True, "colour": 7, "handles": {"0": "automatic", "3": "corner"}}, {}]
+    for good, own in [(True, {}), (True, {"curves": []}), (True, {"curves": handled}), (False, []),
+                      (False, {"camera": 1}), (False, {"curves": [{"color": 1}]}),
+                      (False, {"curves": [{"colour": 8}]}), (False, {"curves": [{"visible": 0}]}),
+                      (False, {"curves": [{"handles": {"03": "corner"}}]}),
+                      (False, {"curves": [{"handles": {"3": "round"}}]})]:
+        yield good, document(spline, spline, extras={"splineloft": own, "others": 1})
     yield True, {"$schema": "https://example.org/x", **document()}
     yield False, {"$schema": 1, **document()}
     yield False, document(extras=[])
@@ -166,8 +174,12 @@ def cases_of_documents():
 
 
 def cases_beyond_a_schema():
-    """What only the program can see: that lists are equally long, and knots in order."""
+    """What only the program can see: that lists are equally long, knots in order, anchors there."""
     yield document(curve(points=[[1, 2], [3]]))
+    yield document(extras={"splineloft": {"curves": [{}]}})
+    for anchor in ["1", "6"]:
+        yield document(curve("bezier-spline"), extras={"splineloft": {"curves": [{"handles": {anchor: "corner"}}]}})
+    yield document(curve(), extras={"splineloft": {"curves": [{"handles": {"0": "corner"}}]}})
     yield document(curve(points=[[1]], coordinates=["x", "y"]))
     yield document(curve("hermite", tangents=[[1, 0]]))
     yield document(curve("hermite", tangents=[[1]] * 4))
