@@ -44,6 +44,8 @@ splineloft_find(glm CMAKE glm TARGET glm::glm PKG glm
                 FETCH https://github.com/g-truc/glm.git TAG 0.9.9.8)
 splineloft_find(nlohmann_json CMAKE nlohmann_json TARGET nlohmann_json::nlohmann_json
                 PKG nlohmann_json FETCH https://github.com/nlohmann/json.git TAG v3.11.2)
+splineloft_find(pugixml CMAKE pugixml TARGET pugixml::pugixml PKG pugixml
+                FETCH https://github.com/zeux/pugixml.git TAG v1.13)
 splineloft_find(CLI11 CMAKE CLI11 TARGET CLI11::CLI11 PKG CLI11
                 FETCH https://github.com/CLIUtils/CLI11.git TAG v2.3.2)
 
@@ -56,7 +58,7 @@ splineloft_find(hwy CMAKE hwy TARGET hwy::hwy PKG libhwy
 if(TARGET hwy AND NOT TARGET hwy::hwy)
     target_link_libraries(splineloft_dep_hwy INTERFACE hwy) # its name in its own sources
 endif()
-set(SPLINELOFT_PRIVATE_LIBRARIES -lhwy) # what splineloft.pc adds to our own library
+set(SPLINELOFT_PRIVATE_LIBRARIES "-lhwy -lpugixml") # what splineloft.pc adds to our own library
 
 # Dear ImGui and stb are bare sources: when they had to be fetched, we compile what we use.
 function(splineloft_build_imgui)

@@ -12,7 +12,7 @@ readonly seconds="${1:-600}"
 shift || true
 targets=("$@")
 if [[ ${#targets[@]} -eq 0 ]]; then
-    targets=(conversions documents evaluation lengths nearest_spots)
+    targets=(conversions documents evaluation lengths nearest_spots pastes)
 fi
 
 set_up_for_fuzzing
