@@ -33,6 +33,7 @@ struct Command {
     std::function<bool(const Session&)> checked = nullptr;
     bool startsGroup = false; ///< a line stands above it in the menu
     bool repeats = false;     ///< again and again while its key is held down
+    bool onTap = false;       ///< when its key is let go, if nothing was done with it held down
 };
 
 std::span<const Command> commands();
@@ -40,8 +41,8 @@ std::span<const Command> commands();
 /// The command of that id. Throws std::out_of_range where there is none.
 const Command& commandNamed(std::string_view id);
 
-/// Whether a key was struck, or is only still held down.
-enum class Strike { fresh, repeated };
+/// Whether a key was struck, is only still held down, or was let go with nothing done meanwhile.
+enum class Strike { fresh, repeated, tap };
 
 /// Runs the possible command of that shortcut, if there is one.
 bool runShortcut(Session& session, const Shortcut& shortcut, Strike strike = Strike::fresh);

@@ -6,6 +6,7 @@
 #include "ui/lettering.h"
 #include "ui/paint.h"
 #include "ui/panels/panels.h"
+#include "ui/travel.h"
 
 #include <algorithm>
 #include <array>
@@ -33,6 +34,17 @@ bool isPress(const InputEvent& event) {
     return (button != nullptr && button->down) || (key != nullptr && key->down);
 }
 
+/// A key that served nothing while it was down was tapped.
+void endTap(Session& session, Key key) {
+    const auto held = session.heldKey;
+    if (held && held->key == key) {
+        session.heldKey.reset();
+        if (!held->served && !session.dialog) {
+            runShortcut(session, {held->key, held->modifiers}, Strike::tap);
+        }
+    }
+}
+
 /// Keys, dropped files and the wish to close, which belong to no panel.
 void takeEvents(Session& session, std::span<const InputEvent> events) {
     for (const auto& event : events) {
@@ -44,7 +56,12 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
             session.leave(GoToFile{dropped->paths.front()});
         } else if (std::holds_alternative<CloseAsked>(event)) {
             session.leave(Quit{});
-        } else if (const auto* key = std::get_if<KeyChanged>(&event); key && key->down) {
+        } else if (const auto* focus = std::get_if<FocusChanged>(&event);
+                   focus && !focus->focused) {
+            session.heldKey.reset();
+        } else if (const auto* key = std::get_if<KeyChanged>(&event); key && !key->down) {
+            endTap(session, key->key);
+        } else if (key != nullptr) {
             const Shortcut shortcut{key->key, key->modifiers};
             if (isPopupOpen() && !session.dialog) {
                 if (key->key == Key::escape) {
@@ -57,6 +74,9 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
             const bool holding = ImGui::IsAnyItemActive() && !io.WantTextInput &&
                                  std::holds_alternative<Idle>(session.gesture);
             if (!typing && !holding && !session.dialog) {
+                if (!key->repeat) {
+                    session.heldKey = HeldKey{key->key, key->modifiers};
+                }
                 runShortcut(session, shortcut, key->repeat ? Strike::repeated : Strike::fresh);
             }
         }
@@ -74,8 +94,9 @@ void fitIfAsked(Session& session, double scale) {
     for (std::size_t i = 0; i < session.studies.size(); ++i) {
         const Study& study = session.studies[i];
         auto places = controlPlaces(study.curve(), session.view.axes);
+        const CurvePlaces tips(study.curve(), session.view.axes);
         for (std::size_t k = 0; k < study.curve().tangents.size(); ++k) {
-            places.push_back(tangentTip(study.curve(), session.view.axes, k));
+            places.push_back(tips.tangentTip(k));
         }
         const auto& plane = study.plane(session.view.axes);
         for (std::size_t k = 0; k < std::min<std::size_t>(plane.size(), 10'000); ++k) {
@@ -103,16 +124,7 @@ void advance(Session& session, double seconds) {
         return;
     }
     // The first frame after a long sleep is no leap.
-    const double part = std::min(seconds, longestStep) / view.duration;
-    if (view.pace == Even::length) {
-        const auto& lengths = study->lengths();
-        const double at = lengths.upTo(view.cursor) + part * lengths.total();
-        view.cursor = lengths.spotAt(at >= lengths.total() ? 0 : at);
-    } else {
-        const auto& knots = study->pieces().knots();
-        const double at = knots.parameter(view.cursor) + part * (knots.end() - knots.start());
-        view.cursor = knots.locate(at >= knots.end() ? knots.start() : at);
-    }
+    travel(session, std::min(seconds, longestStep) / view.duration);
 }
 
 /// The note at the joint under the pointer.
@@ -176,13 +188,26 @@ void showPlots(FrameResult& result, const Session& session, const StripFrames& f
     show(result, scene, theme, theme.surfaces.panel, scale);
 }
 
+/// Whether Space is held down, so that a press would move the view.
+bool canPan(const Session& session) {
+    return session.heldKey && session.heldKey->key == Key::space;
+}
+
+PointerShape gripShape(const Grip& grip) {
+    return grip.up == 0 && !grip.turns()       ? PointerShape::resizeAcross
+           : grip.across == 0 && !grip.turns() ? PointerShape::resizeAlong
+                                               : PointerShape::hand;
+}
+
 PointerShape pointerFor(const Session& session) {
     if (session.pointerOnCanvas) {
-        const bool pans = std::holds_alternative<Panning>(session.gesture);
-        return pans                                         ? PointerShape::move
-               : session.view.tool != Tool::select          ? PointerShape::cross
-               : session.view.hovered || session.view.ghost ? PointerShape::hand
-                                                            : PointerShape::arrow;
+        const bool pans = std::holds_alternative<Panning>(session.gesture) || canPan(session);
+        return pans                                ? PointerShape::move
+               : session.view.tool != Tool::select ? PointerShape::cross
+               : session.view.hovered || session.view.ghost || session.view.hoversStem
+                   ? PointerShape::hand
+               : session.view.hoveredGrip ? gripShape(*session.view.hoveredGrip)
+                                          : PointerShape::arrow;
     }
     switch (ImGui::GetMouseCursor()) {
     case ImGuiMouseCursor_TextInput: return PointerShape::text;
@@ -190,6 +215,17 @@ PointerShape pointerFor(const Session& session) {
     case ImGuiMouseCursor_ResizeNS: return PointerShape::resizeAlong;
     case ImGuiMouseCursor_Hand: return PointerShape::hand;
     default: return PointerShape::arrow;
+    }
+}
+
+/// What a person did in a panel.
+void carryOut(Session& session, std::optional<Edit> edit) {
+    if (edit) {
+        const bool cancels = edit->phase == Phase::cancel;
+        session.apply(std::move(*edit));
+        if (cancels) {
+            releaseActiveWidget();
+        }
     }
 }
 
@@ -218,13 +254,8 @@ FrameResult runFrame(Session& session, const Screen& screen, std::span<const Inp
     const auto stage = [&](const ScreenRect& rect) { return Stage{theme, screen.scale, rect}; };
     drawToolRail(session, stage(layout.tools));
     const auto frames = drawStrip(session, session.view, stage(layout.strip));
-    if (auto edit = drawInspector(session, session.view, stage(layout.inspector))) {
-        const bool cancels = edit->phase == Phase::cancel;
-        session.apply(std::move(*edit));
-        if (cancels) {
-            releaseActiveWidget();
-        }
-    }
+    carryOut(session, drawInspector(session, session.view, stage(layout.inspector)));
+    carryOut(session, drawExactEntry(session, session.view, stage(layout.canvas)));
     // After the panels: what was typed there is entered by the press that acts here.
     drawCanvas(session, stage(layout.canvas), events);
     drawStatus(session, stage(layout.status));

@@ -150,6 +150,9 @@ ImGuiKeyCode escapeKey() {
 ImGuiKeyCode tabKey() {
     return ImGui::GetKeyIndex(ImGuiKey_Tab);
 }
+ImGuiKeyCode enterKey() {
+    return ImGui::GetKeyIndex(ImGuiKey_Enter);
+}
 
 bool isActiveWidget(unsigned id) {
     return ImGui::GetActiveID() == id;

@@ -22,6 +22,7 @@ using ImGuiKeyCode = int;
 #endif
 ImGuiKeyCode escapeKey();
 ImGuiKeyCode tabKey();
+ImGuiKeyCode enterKey();
 
 /// Whether the widget of that id is being held or edited.
 bool isActiveWidget(unsigned id);

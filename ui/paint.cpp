@@ -24,6 +24,9 @@ Sign signOf(const SceneMark& mark, const Theme& theme, Colour background, double
     if (isHollow(mark.ink.role)) {
         sign.fill.alpha = 0;
         sign.outline = colour;
+    } else if (mark.ink.role == Role::grip) {
+        sign.fill = background;
+        sign.outline = colour;
     }
     return sign;
 }

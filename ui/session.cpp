@@ -174,6 +174,9 @@ void Session::tidy() {
     if (view.hovered && gone(*view.hovered)) {
         view.hovered.reset();
     }
+    if (view.exactEntry && gone(*view.exactEntry)) {
+        view.exactEntry.reset();
+    }
     view.ghost.reset();
     const Study* study = active();
     const auto pieces = study != nullptr ? study->pieces().size() : 0;

@@ -72,6 +72,13 @@ struct Notice {
     bool isProblem = false;
 };
 
+/// A key that is down. Let go without having served, it was a tap.
+struct HeldKey {
+    Key key;
+    Modifiers modifiers;
+    bool served = false;
+};
+
 class Session {
   public:
     explicit Session(Document document = {}, std::string path = "");
@@ -120,6 +127,7 @@ class Session {
     ScreenRect canvas;   ///< where the canvas was drawn last
     ScreenPoint pointer; ///< where the pointer is
     bool pointerOnCanvas = false;
+    std::optional<HeldKey> heldKey; ///< the key that was struck last, while it is down
 
   private:
     /// Brings selection, active curve, cursor and studies back into what the document has.

@@ -67,6 +67,8 @@ float widthOf(Role role) {
     case Role::ladder: return 1.8F;
     case Role::plotCursor:
     case Role::snap: return 1.5F;
+    case Role::stem: return 2;
+    case Role::stemFilled: return 3;
     default: return 1;
     }
 }
@@ -119,6 +121,12 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
     case Role::jointNote: return s.text;
     case Role::box: return s.accent;
     case Role::snap: return s.warning;
+    case Role::course: return mixed(s.warning, s.canvas, 0.6);
+    case Role::gizmo: return mixed(s.accent, s.canvas, 0.75);
+    case Role::grip:
+    case Role::gripHeld:
+    case Role::stemFilled: return s.accent;
+    case Role::stem: return mixed(s.text, s.canvas, 0.45);
     case Role::plotAxis: return mixed(s.text, s.panel, 0.22);
     case Role::plotBand: return mixed(s.accent, s.panel, 0.14);
     case Role::plotCursor: return s.text;
@@ -130,7 +138,8 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
 StrokeStyle strokeOf(const Theme& theme, const Ink& ink, double scale) {
     const auto pixels = static_cast<float>(scale);
     StrokeStyle style{.width = widthOf(ink.role) * pixels, .colour = colourOf(theme, ink)};
-    if (ink.role == Role::polygon || ink.role == Role::box || ink.role == Role::tangentBasis) {
+    if (ink.role == Role::polygon || ink.role == Role::box || ink.role == Role::course ||
+        ink.role == Role::tangentBasis) {
         style.dash = 6 * pixels;
         style.gap = 5 * pixels;
     }
@@ -152,6 +161,8 @@ double markRadius(const Ink& ink, double scale) {
     case Role::bead: return 3.5 * scale;
     case Role::joint: return 5 * scale;
     case Role::snap: return 9 * scale;
+    case Role::grip:
+    case Role::gripHeld: return 6 * scale;
     default: return 4 * scale;
     }
 }

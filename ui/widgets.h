@@ -54,8 +54,4 @@ void quietText(const std::string& text, const Stage& stage);
 /// Text that explains the widget before it while the pointer rests there.
 void explain(const std::string& text);
 
-/// Which value lies where along a parameter's track (0 .. 1), and back.
-double trackPosition(const Parameter& parameter, double value);
-double valueOnTrack(const Parameter& parameter, double position);
-
 } // namespace splineloft::ui

@@ -223,6 +223,8 @@ TEST(Play, aLongSleepBeforeItIsNoLeap) {
     driver.session.view.duration = 6;
     driver.session.view.cursor = {0, 0};
     driver.queue.push(KeyChanged{Key::space, true, false, {}});
+    driver.frames(1);
+    driver.queue.push(KeyChanged{Key::space, false, false, {}}); // a tap ends when it is let go
     driver.frames(1, 3600);
     const auto& lengths = driver.session.active()->lengths();
     EXPECT_LE(lengths.upTo(driver.session.view.cursor), lengths.total() * 0.1 / 6 * 1.0001);

@@ -135,6 +135,7 @@ void Hand::drag(PlanePoint from, PlanePoint to, Modifiers held) {
 
 void Hand::key(Key key, Modifiers held) {
     runShortcut(session, {key, held});
+    runShortcut(session, {key, held}, Strike::tap);
 }
 
 PlanePoint Hand::place(std::size_t index, std::size_t curveIndex) const {

@@ -14,21 +14,48 @@
 namespace splineloft::ui {
 namespace {
 
-TEST(Commands, noTwoShareAShortcut) {
-    std::vector<std::pair<Shortcut, std::string>> owners;
-    for (const auto& command : commands()) {
-        for (const auto& shortcut : command.shortcuts) {
-            for (const auto& [taken, owner] : owners) {
-                EXPECT_NE(taken, shortcut)
-                    << nameOf(shortcut) << ": " << owner << ", " << command.id;
+/// Sessions in all the states in which keys may mean something.
+std::vector<Session> situations() {
+    std::vector<Session> all;
+    for (const auto& document : {Document{}, documentOf({curveOf("bezier-spline")}),
+                                 documentOf({curveOf("hermite", true)}),
+                                 documentOf({curveOf("linear"), curveOf("natural")})}) {
+        for (const auto& selection :
+             {std::set<PointId>{}, std::set<PointId>{{0, 0}}, std::set<PointId>{{0, 0}, {0, 6}}}) {
+            for (const auto tool : {Tool::select, Tool::pen}) {
+                for (const bool playing : {false, true}) {
+                    Session session(document);
+                    session.view.selection =
+                        document.curves.empty() ? std::set<PointId>{} : selection;
+                    session.view.tool = tool;
+                    session.view.playing = playing;
+                    all.push_back(std::move(session));
+                }
             }
-            owners.emplace_back(shortcut, command.id);
+        }
+    }
+    return all;
+}
+
+TEST(Commands, noTwoAnswerToAShortcutAtOnce) {
+    for (const auto& session : situations()) {
+        std::vector<std::pair<Shortcut, std::string>> owners;
+        for (const auto& command : commands()) {
+            for (const auto& shortcut : command.shortcuts) {
+                for (const auto& [taken, owner] : owners) {
+                    EXPECT_FALSE(taken == shortcut && command.possible(session))
+                        << nameOf(shortcut) << ": " << owner << ", " << command.id;
+                }
+                if (command.possible(session)) {
+                    owners.emplace_back(shortcut, command.id);
+                }
+            }
         }
     }
 }
 
 TEST(Commands, allAreWholeAndTheirIdsDiffer) {
-    const std::set<std::string> menus = {"",      "File",   "Edit",   "View",
+    const std::set<std::string> menus = {"",      "File",   "Edit",   "View", "Points",
                                          "Curve", "Family", "Motion", "Help"};
     std::set<std::string> ids;
     const Session empty;

@@ -2,7 +2,9 @@
 // events and the present state in, the next state and perhaps an edit out.
 #pragma once
 
+#include "ui/canvas/gizmo.h"
 #include "ui/canvas/pick.h"
+#include "ui/canvas/stems.h"
 #include "ui/edit.h"
 #include "ui/input.h"
 
@@ -17,10 +19,14 @@ struct PointerEvent {
     ScreenPoint at;
     Button button = Button::left; ///< of a press or release
     Modifiers modifiers;
-    int clicks = 1; ///< 2 for the press of a double click
+    int clicks = 1;    ///< 2 for the press of a double click
+    bool pans = false; ///< Space is held: a press moves the view, whatever is under it
 };
 
 struct Idle {};
+
+/// What a move keeps to: nothing, an axis, or the line at 45 degrees that rises or falls.
+enum class Course { free, across, up, rising, falling };
 
 /// A button is down on a control point; beyond a few pixels it moves all that are selected.
 struct DraggingPoints {
@@ -29,6 +35,7 @@ struct DraggingPoints {
     ScreenPoint from;
     bool moved = false;
     bool selectOnlyThis = false; ///< on release, if it has not moved
+    Course course = Course::free;
     std::optional<PlanePoint> snappedTo = std::nullopt;
 };
 
@@ -40,6 +47,7 @@ struct Boxing {
 
 struct Panning {
     ScreenPoint last;
+    Button button = Button::middle; ///< that began it
 };
 
 /// u follows the pointer along the active curve.
@@ -52,7 +60,25 @@ struct PlacingPoint {
     ScreenPoint from;
 };
 
-using Gesture = std::variant<Idle, DraggingPoints, Boxing, Panning, SlidingCursor, PlacingPoint>;
+/// A grip of the frame around the selection is being pulled.
+struct Transforming {
+    std::vector<PointId> ids;
+    PlaneBox box; ///< of the selection when it was taken
+    Grip grip;
+    ScreenPoint from, now;
+    bool moved = false;
+    std::string words = {}; ///< what it does so far: "30°"
+};
+
+/// A number at a point is being slid along its stem.
+struct SlidingStem {
+    Stem stem; ///< as it was when it was taken
+    ScreenPoint from;
+    bool moved = false;
+};
+
+using Gesture = std::variant<Idle, DraggingPoints, Boxing, Panning, SlidingCursor, PlacingPoint,
+                             Transforming, SlidingStem>;
 
 /// What a gesture can see.
 struct Situation {

@@ -34,7 +34,16 @@ static std::string penHint(const View& view, const Document& document) {
 
 std::string hintFor(const Gesture& gesture, const View& view, const Document& document) {
     if (std::holds_alternative<DraggingPoints>(gesture)) {
-        return "Shift keeps the axis · Ctrl snaps to grid and points · Esc or right click restores";
+        return "Shift keeps the axis or 45° · Ctrl snaps to grid and points · Esc or right click "
+               "restores";
+    }
+    if (const auto* pulling = std::get_if<Transforming>(&gesture)) {
+        return pulling->grip.turns() ? "Shift turns by 45° · Ctrl by 15° · Esc restores"
+                                     : "Shift scales evenly · Alt about the middle · Ctrl snaps to "
+                                       "the grid · Esc restores";
+    }
+    if (std::holds_alternative<SlidingStem>(gesture)) {
+        return "Drag along the stem · Esc restores";
     }
     if (std::holds_alternative<Boxing>(gesture)) {
         return "Release to select the points inside · Esc leaves the selection as it was";
@@ -57,10 +66,20 @@ std::string hintFor(const Gesture& gesture, const View& view, const Document& do
     }
     if (view.hovered) {
         return "Drag to move " + nameOf(document, {*view.hovered}) +
-               " · Shift keeps the axis · Ctrl snaps · Shift+click selects more";
+               " · double-click for exact numbers · Shift+click selects more · Alt+click: the one "
+               "below";
+    }
+    if (view.hoveredGrip) {
+        return view.hoveredGrip->turns() ? "Drag to turn the selection"
+                                         : "Drag to scale the selection";
+    }
+    if (view.hoversStem) {
+        return "Drag to change the value at this point · double-click for the neutral value";
     }
     if (view.ghost) {
-        return "Drag to slide u · double-click to insert a point here";
+        const bool keeps = insertionKeepsShape(*document.curves[view.activeCurve]);
+        return std::string("Drag to slide u · double-click to insert a point here") +
+               (keeps ? ": the curve keeps its shape" : "");
     }
     return document.curves.empty()
                ? "Press P and click to lay down points, or open a file with Ctrl+O"

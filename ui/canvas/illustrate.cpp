@@ -27,7 +27,8 @@ constexpr double leastGap = 4;  // design pixels between marks that can be told 
 class Illustration {
   public:
     Illustration(const View& view, const Situation& situation)
-        : view_(view), s_(situation), viewport_(situation.viewport), scale_(situation.scale) {
+        : view_(view), s_(situation), viewport_(situation.viewport), scale_(situation.scale),
+          places_(situation.live, view.axes) {
         scene_.frame = viewport_.frame;
     }
 
@@ -166,10 +167,81 @@ class Illustration {
                                       {Role::box},
                                       true});
         }
-        const auto* drag = std::get_if<DraggingPoints>(&gesture);
-        if (drag != nullptr && drag->snappedTo) {
-            mark(*drag->snappedTo, SignShape::diamond, {Role::snap});
+        if (const auto* drag = std::get_if<DraggingPoints>(&gesture)) {
+            course(*drag);
+            if (drag->snappedTo) {
+                mark(*drag->snappedTo, SignShape::diamond, {Role::snap});
+            }
+        } else if (const auto* pulling = std::get_if<Transforming>(&gesture);
+                   pulling != nullptr && pulling->moved) {
+            note(pulling->words, pulling->now);
         }
+    }
+
+    /// The frame around several selected points, while no hand is at work elsewhere.
+    void gizmo(const Gesture& gesture) {
+        const auto* pulling = std::get_if<Transforming>(&gesture);
+        if (pulling == nullptr && !std::holds_alternative<Idle>(gesture)) {
+            return;
+        }
+        const auto gizmo = gizmoOf(s_.live, view_, viewport_, scale_);
+        if (!gizmo) {
+            return;
+        }
+        const auto& f = gizmo->frame;
+        stroke({gizmo->ring, gizmo->placeOf({0, 1})}, {Role::gizmo});
+        scene_.strokes.push_back(
+            {{{f.left, f.top}, {f.right(), f.top}, {f.right(), f.bottom()}, {f.left, f.bottom()}},
+             {Role::gizmo},
+             true});
+        for (const auto& grip : gizmo->grips()) {
+            const bool held =
+                pulling != nullptr ? pulling->grip == grip : view_.hoveredGrip == grip;
+            scene_.marks.push_back({gizmo->placeOf(grip),
+                                    grip.turns() ? SignShape::disc : SignShape::square,
+                                    {held ? Role::gripHeld : Role::grip}});
+        }
+    }
+
+    void stems(const Gesture& gesture) {
+        if (!std::holds_alternative<Idle>(gesture) &&
+            !std::holds_alternative<SlidingStem>(gesture)) {
+            return;
+        }
+        for (const auto& stem : stemsOf(s_.live, view_, viewport_, scale_)) {
+            stroke({stem.from, stem.to}, {Role::stem});
+            stroke({stem.from, stem.knob}, {Role::stemFilled});
+            scene_.marks.push_back({stem.knob, SignShape::disc, {Role::gripHeld}});
+            scene_.labels.push_back({.text = stem.words(),
+                                     .at = stem.knob,
+                                     .clearance = 12 * scale_,
+                                     .ink = {Role::jointNote},
+                                     .optional = false,
+                                     .noted = true});
+        }
+    }
+
+    /// The line that a drag keeps to.
+    void course(const DraggingPoints& drag) {
+        if (drag.course == Course::free) {
+            return;
+        }
+        const ScreenPoint at = viewport_.toScreen(placeOf(drag.grabbed));
+        const double far = viewport_.frame.width + viewport_.frame.height;
+        const double dx = drag.course == Course::up ? 0 : far;
+        const double dy = drag.course == Course::across    ? 0
+                          : drag.course == Course::falling ? far
+                                                           : -far;
+        stroke({{at.x - dx, at.y - dy}, {at.x + dx, at.y + dy}}, {Role::course});
+    }
+
+    void note(const std::string& words, ScreenPoint at) {
+        scene_.labels.push_back({.text = words,
+                                 .at = at,
+                                 .clearance = 20 * scale_,
+                                 .ink = {Role::jointNote},
+                                 .optional = false,
+                                 .noted = true});
     }
 
     void grid() { drawGrid(scene_, viewport_, scale_); }
@@ -224,14 +296,7 @@ class Illustration {
                                     : SignShape::diamond;
     }
 
-    PlanePoint placeOf(const PointId& id) const {
-        const Curve& curve = *s_.live.curves[id.curve];
-        if (id.index >= curve.points.size()) {
-            return {};
-        }
-        return id.part == Part::tangent ? tangentTip(curve, view_.axes, id.index)
-                                        : controlPlaces(curve, view_.axes)[id.index];
-    }
+    PlanePoint placeOf(const PointId& id) { return places_[id]; }
 
     void rungName(int r, std::size_t i, ScreenPoint at) {
         if (view_.layers.labels) {
@@ -257,16 +322,17 @@ class Illustration {
 
     void handles(const Study& study) {
         const Curve& curve = study.curve();
-        const auto places = controlPlaces(curve, view_.axes);
-        for (std::size_t i = 0; i < places.size(); ++i) {
+        const CurvePlaces places(curve, view_.axes);
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
             if (const auto anchor = anchorOf(curve, i)) {
-                stroke({viewport_.toScreen(places[*anchor]), viewport_.toScreen(places[i])},
+                stroke({viewport_.toScreen(places.point(*anchor)),
+                        viewport_.toScreen(places.point(i))},
                        {Role::handleLine});
             }
         }
         for (std::size_t i = 0; i < curve.tangents.size(); ++i) {
-            const ScreenPoint from = viewport_.toScreen(places[i]);
-            const ScreenPoint to = viewport_.toScreen(tangentTip(curve, view_.axes, i));
+            const ScreenPoint from = viewport_.toScreen(places.point(i));
+            const ScreenPoint to = viewport_.toScreen(places.tangentTip(i));
             stroke({from, to}, {Role::handleLine});
             const double angle = std::atan2(to.y - from.y, to.x - from.x);
             scene_.marks.push_back(
@@ -310,6 +376,7 @@ class Illustration {
     const Situation& s_;
     const Viewport& viewport_;
     double scale_;
+    PointPlaces places_;
     Scene scene_;
 };
 
@@ -332,6 +399,8 @@ Scene illustrate(const View& view, const Gesture& gesture, const Situation& situ
         drawing.controls(study);
     }
     drawing.selection();
+    drawing.gizmo(gesture);
+    drawing.stems(gesture);
     drawing.gesture(gesture);
     return drawing.take();
 }

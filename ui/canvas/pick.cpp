@@ -26,6 +26,28 @@ double screenDistance(ScreenPoint a, ScreenPoint b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// Calls visit(point, distance in design pixels) for all points and tangents within reach.
+template <class Visit>
+void eachUnder(const Document& document, const View& view, const Viewport& viewport, ScreenPoint at,
+               double scale, Visit visit) {
+    for (std::size_t c = 0; c < document.curves.size(); ++c) {
+        const Curve& curve = *document.curves[c];
+        const auto offer = [&](const PointId& id, PlanePoint place) {
+            const double away = screenDistance(viewport.toScreen(place), at);
+            if (away <= pointReach * scale) {
+                visit(id, away / scale);
+            }
+        };
+        const CurvePlaces places(curve, view.axes);
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            offer({c, i, Part::point}, places.point(i));
+        }
+        for (std::size_t i = 0; c == view.activeCurve && i < curve.tangents.size(); ++i) {
+            offer({c, i, Part::tangent}, places.tangentTip(i));
+        }
+    }
+}
+
 std::optional<CurveHit> pickCurve(const Studies& studies, const View& view,
                                   const Viewport& viewport, ScreenPoint at, double reach) {
     const PlanePoint place = viewport.toPlane(at);
@@ -44,41 +66,24 @@ std::optional<CurveHit> pickCurve(const Studies& studies, const View& view,
 
 } // namespace
 
-PlanePoint tangentTip(const Curve& curve, const Axes& axes, std::size_t index) {
-    Curve tip = curve;
-    tip.points = Points(curve.points.dimension());
-    tip.points.append(curve.points.at(index) + (1.0 / 3) * curve.tangents.at(index));
-    const PlanePoint place = controlPlaces(tip, axes).front();
-    if (curve.points.dimension() == 1) { // its parameter, a third of an interval on
-        return {controlPlaces(curve, axes)[index].x + 1.0 / 3, place.y};
-    }
-    return place;
-}
-
 Hit pick(const Document& document, const Studies& studies, const View& view,
          const Viewport& viewport, ScreenPoint at, double scale) {
     Best best;
-    for (std::size_t c = 0; c < document.curves.size(); ++c) {
-        const Curve& curve = *document.curves[c];
-        const bool active = c == view.activeCurve;
-        const auto offer = [&](const PointId& id, PlanePoint place) {
-            const double away = screenDistance(viewport.toScreen(place), at);
-            if (away <= pointReach * scale) {
-                best.offer(id, away / scale, view.selection.contains(id), active);
-            }
-        };
-        const auto places = controlPlaces(curve, view.axes);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            offer({c, i, Part::point}, places[i]);
-        }
-        for (std::size_t i = 0; active && i < curve.tangents.size(); ++i) {
-            offer({c, i, Part::tangent}, tangentTip(curve, view.axes, i));
-        }
-    }
+    eachUnder(document, view, viewport, at, scale, [&](const PointId& id, double away) {
+        best.offer(id, away, view.selection.contains(id), id.curve == view.activeCurve);
+    });
     if (best.point) {
         return {best.point, std::nullopt};
     }
     return {std::nullopt, pickCurve(studies, view, viewport, at, curveReach * scale)};
+}
+
+std::vector<PointId> pointsUnder(const Document& document, const View& view,
+                                 const Viewport& viewport, ScreenPoint at, double scale) {
+    std::vector<PointId> under;
+    eachUnder(document, view, viewport, at, scale,
+              [&](const PointId& id, double) { under.push_back(id); });
+    return under;
 }
 
 std::set<PointId> pointsInside(const Document& document, const View& view, const Viewport& viewport,

@@ -5,6 +5,7 @@
 #include "ui/study.h"
 
 #include <optional>
+#include <vector>
 
 namespace splineloft::ui {
 
@@ -24,14 +25,15 @@ struct Hit {
     std::optional<CurveHit> curve;
 };
 
-/// Where the tip of a control point's tangent is drawn: a third of it away, where the Bézier handle
-/// is (handle = tangent / 3).
-PlanePoint tangentTip(const Curve& curve, const Axes& axes, std::size_t index);
-
 /// Looks under `at`. Where things lie on top of one another the selected one wins, then one of the
 /// active curve, then the nearest.
 Hit pick(const Document& document, const Studies& studies, const View& view,
          const Viewport& viewport, ScreenPoint at, double scale);
+
+/// All control points and tangents within reach of `at`, in the order of the document: more than
+/// one where they lie on top of one another.
+std::vector<PointId> pointsUnder(const Document& document, const View& view,
+                                 const Viewport& viewport, ScreenPoint at, double scale);
 
 /// All control points (not tangents) inside a rectangle.
 std::set<PointId> pointsInside(const Document& document, const View& view, const Viewport& viewport,

@@ -33,8 +33,14 @@ enum class Role {
     bead,
     joint,
     jointNote,
-    box,  ///< rubber band
-    snap, ///< what a drag has snapped to
+    box,    ///< rubber band
+    snap,   ///< what a drag has snapped to
+    course, ///< the line that a drag keeps to
+    gizmo,  ///< the frame around several selected points
+    grip,
+    gripHeld, ///< under the pointer or in the hand
+    stem,     ///< the track of a number at its point
+    stemFilled,
     plotAxis,
     plotBand,
     plotCursor,

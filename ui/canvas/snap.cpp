@@ -4,18 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace splineloft::ui {
 namespace {
 
 // How near another point must be to be snapped to, design pixels.
 constexpr double snapReach = 9;
-
-PlanePoint startOf(const PointId& id, const View& view, const Situation& s) {
-    const Curve& curve = *s.settled.curves[id.curve];
-    return id.part == Part::tangent ? tangentTip(curve, view.axes, id.index)
-                                    : controlPlaces(curve, view.axes)[id.index];
-}
 
 std::optional<PlanePoint> nearbyPoint(PlanePoint wanted, const std::vector<PointId>& ids,
                                       const View& view, const Situation& s) {
@@ -34,17 +29,34 @@ std::optional<PlanePoint> nearbyPoint(PlanePoint wanted, const std::vector<Point
     return found;
 }
 
-/// From `start` to `place`; a move along one axis only (Shift) stays on it.
+/// From `start` to `place`, as far as the move's course allows; a coordinate that did not move
+/// stays as it is.
 SnappedMove moveTo(PlanePoint place, PlanePoint start, const SnappedMove& move,
                    std::optional<PlanePoint> cue) {
-    return {move.dx == 0 ? 0 : place.x - start.x, move.dy == 0 ? 0 : place.y - start.y, cue};
+    const double dx = move.dx == 0 ? 0 : place.x - start.x;
+    const double dy = move.dy == 0 ? 0 : place.y - start.y;
+    switch (move.course) {
+    case Course::rising: return {dx, dx, move.course, cue};
+    case Course::falling: return {dx, -dx, move.course, cue};
+    default: return {dx, dy, move.course, cue};
+    }
 }
 
 } // namespace
 
+SnappedMove onCourse(double dx, double dy) {
+    const double turns = std::atan2(dy, dx) / (std::numbers::pi / 4);
+    switch ((static_cast<int>(std::lround(turns)) + 8) % 4) {
+    case 0: return {dx, 0, Course::across};
+    case 1: return {0.5 * (dx + dy), 0.5 * (dx + dy), Course::rising};
+    case 2: return {0, dy, Course::up};
+    default: return {0.5 * (dx - dy), 0.5 * (dy - dx), Course::falling};
+    }
+}
+
 SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
                     const PointId& grabbed, const View& view, const Situation& situation) {
-    const PlanePoint start = startOf(grabbed, view, situation);
+    const PlanePoint start = PointPlaces(situation.settled, view.axes)[grabbed];
     const PlanePoint wanted{start.x + move.dx, start.y + move.dy};
     auto to = nearbyPoint(wanted, ids, view, situation);
     if (!to) {
@@ -61,7 +73,7 @@ PlanePoint tidied(PlanePoint place, const Camera& camera) {
 
 SnappedMove tidied(const SnappedMove& move, const PointId& grabbed, const View& view,
                    const Situation& situation) {
-    const PlanePoint start = startOf(grabbed, view, situation);
+    const PlanePoint start = PointPlaces(situation.settled, view.axes)[grabbed];
     const PlanePoint wanted{start.x + move.dx, start.y + move.dy};
     return moveTo(tidied(wanted, situation.viewport.camera), start, move, std::nullopt);
 }

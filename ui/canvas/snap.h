@@ -7,11 +7,15 @@
 
 namespace splineloft::ui {
 
-/// A displacement in the plane, and what it snapped to.
+/// A displacement in the plane, what it keeps to and what it snapped to.
 struct SnappedMove {
     double dx = 0, dy = 0;
-    std::optional<PlanePoint> to;
+    Course course = Course::free;
+    std::optional<PlanePoint> to = std::nullopt;
 };
+
+/// The displacement along the nearest of the two axes and the two lines at 45 degrees.
+SnappedMove onCourse(double dx, double dy);
 
 /// The displacement that puts `grabbed` onto the nearest control point not among `ids` within
 /// reach, otherwise onto the nearest fine grid point.

@@ -64,6 +64,14 @@ enum class Tool {
 
 enum class ThemeKind { dark, light };
 
+/// One place to take hold of the frame around a selection: on which side it is, each -1, 0 or 1.
+/// Neither is the ring that turns.
+struct Grip {
+    int across = 0, up = 0;
+    bool turns() const { return across == 0 && up == 0; }
+    bool operator==(const Grip&) const = default;
+};
+
 struct View {
     Camera camera;
     bool fitPending = true; ///< the next frame fits the document into the canvas
@@ -76,6 +84,9 @@ struct View {
     std::set<PointId> selection;
     std::optional<PointId> hovered;
     std::optional<Spot> ghost; ///< where a double click on the active curve would insert
+    std::optional<Grip> hoveredGrip;
+    bool hoversStem = false;
+    std::optional<PointId> exactEntry; ///< whose numbers are being typed in beside it
 
     Spot cursor; ///< u, on the active curve
     bool playing = false;

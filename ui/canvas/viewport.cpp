@@ -128,17 +128,43 @@ Pieces flattened(const Pieces& pieces, const Axes& axes) {
 }
 
 std::vector<PlanePoint> controlPlaces(const Curve& curve, const Axes& axes) {
-    std::vector<PlanePoint> places;
-    const int dimension = curve.points.dimension();
-    const auto across = dimension == 1 ? abscissae(curve) : std::vector<double>();
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-        const auto row = curve.points[i];
-        const auto at = [&](int axis) {
-            return row[static_cast<std::size_t>(shown(axis, dimension))];
-        };
-        places.push_back({dimension == 1 ? across[i] : at(axes.across), at(axes.up)});
+    const CurvePlaces all(curve, axes);
+    std::vector<PlanePoint> places(curve.points.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] = all.point(i);
     }
     return places;
+}
+
+CurvePlaces::CurvePlaces(const Curve& curve, const Axes& axes)
+    : curve_(curve), axes_(axes),
+      across_(curve.points.dimension() == 1 ? abscissae(curve) : std::vector<double>()) {}
+
+PlanePoint CurvePlaces::point(std::size_t index) const {
+    const auto row = curve_.points[index];
+    const auto at = [&](int axis) {
+        return row[static_cast<std::size_t>(shown(axis, curve_.points.dimension()))];
+    };
+    return {across_.empty() ? at(axes_.across) : across_[index], at(axes_.up)};
+}
+
+PlanePoint CurvePlaces::tangentTip(std::size_t index) const {
+    constexpr double part = 1.0 / 3;
+    const auto row = curve_.tangents[index];
+    const auto at = [&](int axis) {
+        return row[static_cast<std::size_t>(shown(axis, curve_.points.dimension()))];
+    };
+    const PlanePoint from = point(index);
+    // Of a graph the parameter goes on by a third of an interval.
+    return {from.x + part * (across_.empty() ? at(axes_.across) : 1), from.y + part * at(axes_.up)};
+}
+
+PlanePoint PointPlaces::operator[](const PointId& id) {
+    if (!places_ || curve_ != id.curve) {
+        places_.emplace(*document_.curves[id.curve], axes_);
+        curve_ = id.curve;
+    }
+    return id.part == Part::tangent ? places_->tangentTip(id.index) : places_->point(id.index);
 }
 
 Point liftedDelta(const Curve& curve, const Axes& axes, double dx, double dy) {

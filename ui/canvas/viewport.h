@@ -4,6 +4,8 @@
 #include "core/spline/piece.h"
 #include "ui/canvas/view.h"
 
+#include <optional>
+
 namespace splineloft::ui {
 
 /// A camera looking through a rectangle of the window.
@@ -38,6 +40,34 @@ Pieces flattened(const Pieces& pieces, const Axes& axes);
 
 /// Places of all control points in that plane.
 std::vector<PlanePoint> controlPlaces(const Curve& curve, const Axes& axes);
+
+/// Where single control points of a curve lie in that plane, and the tips of their tangents: a
+/// third of each away, where the Bézier handle is (handle = tangent / 3).
+class CurvePlaces {
+  public:
+    CurvePlaces(const Curve& curve, const Axes& axes);
+    PlanePoint point(std::size_t index) const;
+    PlanePoint tangentTip(std::size_t index) const;
+
+  private:
+    const Curve& curve_;
+    Axes axes_;
+    std::vector<double> across_; ///< of a curve of one coordinate
+};
+
+/// The same for all curves of a document.
+class PointPlaces {
+  public:
+    PointPlaces(const Document& document, const Axes& axes) : document_(document), axes_(axes) {}
+    /// Quick for points that are asked for curve by curve.
+    PlanePoint operator[](const PointId& id);
+
+  private:
+    const Document& document_;
+    Axes axes_;
+    std::size_t curve_ = 0;
+    std::optional<CurvePlaces> places_; ///< of that curve
+};
 
 /// A displacement in the plane as one of the curve's coordinates.
 Point liftedDelta(const Curve& curve, const Axes& axes, double dx, double dy);

@@ -6,6 +6,8 @@
 #include "ui/canvas/hints.h"
 #include "ui/canvas/viewport.h"
 
+#include <algorithm>
+
 namespace splineloft::ui {
 namespace {
 
@@ -22,6 +24,23 @@ void selectAll(Session& session) {
     for (std::size_t i = 0; i < count; ++i) {
         session.view.selection.insert({session.view.activeCurve, i, Part::point});
     }
+}
+
+bool hasPoints(const Session& session) {
+    return hasCurve(session) && !session.active()->curve().points.empty();
+}
+
+/// Selects the control point that comes so many after the one selected, around the active curve.
+void selectAfter(Session& session, int steps) {
+    const auto curve = session.view.activeCurve;
+    const auto count = static_cast<int>(session.active()->curve().points.size());
+    auto& selection = session.view.selection;
+    const auto last = std::ranges::find_if(selection, [curve](const PointId& id) {
+        return id.curve == curve && id.part == Part::point;
+    });
+    const int from = last != selection.end() ? static_cast<int>(last->index) : steps > 0 ? -1 : 0;
+    const int index = (from + steps + count) % count;
+    selection = {{curve, static_cast<std::size_t>(index), Part::point}};
 }
 
 /// Esc: whatever is under way ends, else the tool, else the selection.
@@ -44,6 +63,11 @@ void nudge(Session& session, double right, double up, double tenths) {
          Phase::commit, "Nudge " + nameOf(session.document(), ids)});
 }
 
+/// While it plays, arrows step the traveller.
+bool canNudge(const Session& session) {
+    return hasSelection(session) && !session.view.playing;
+}
+
 void addNudges(std::vector<Command>& all) {
     struct Way {
         const char* name;
@@ -58,14 +82,14 @@ void addNudges(std::vector<Command>& all) {
                        called("Nudge " + name),
                        {{way.key}},
                        [way](Session& s) { nudge(s, way.right, way.up, 1); },
-                       hasSelection});
+                       canNudge});
         all.back().repeats = true;
         all.push_back({"edit.nudgeFar." + name,
                        "",
                        called("Nudge " + name + " ten times as far"),
                        {{way.key, shiftKey}},
                        [way](Session& s) { nudge(s, way.right, way.up, 10); },
-                       hasSelection});
+                       canNudge});
         all.back().repeats = true;
     }
 }
@@ -87,6 +111,7 @@ void addEditCommands(std::vector<Command>& all) {
                    [](Session& s) { s.redo(); },
                    [](const Session& s) { return s.history.canRedo(); }});
     all.back().repeats = true;
+    addClipboardCommands(all);
     all.push_back({"edit.delete",
                    "Edit",
                    called("Delete points"),
@@ -100,6 +125,29 @@ void addEditCommands(std::vector<Command>& all) {
                    {{Key::a, controlKey}},
                    selectAll,
                    hasCurve});
+    all.push_back({"edit.selectNext",
+                   "Edit",
+                   called("Select the next point"),
+                   {{Key::tab}},
+                   [](Session& s) { selectAfter(s, 1); },
+                   hasPoints});
+    all.back().repeats = true;
+    all.push_back({"edit.selectPrevious",
+                   "Edit",
+                   called("Select the previous point"),
+                   {{Key::tab, shiftKey}},
+                   [](Session& s) { selectAfter(s, -1); },
+                   hasPoints});
+    all.back().repeats = true;
+    all.push_back({"edit.exact",
+                   "Edit",
+                   called("Type in the numbers of the point"),
+                   {{Key::enter}},
+                   [](Session& s) { s.view.exactEntry = *s.view.selection.begin(); },
+                   [](const Session& s) {
+                       return handsOff(s) && s.view.tool == Tool::select &&
+                              s.view.selection.size() == 1;
+                   }});
     all.push_back({"edit.escape",
                    "Edit",
                    called("Cancel, or clear the selection"),

@@ -23,8 +23,10 @@ std::vector<PointId> selected(const Session& session);
 
 // Each menu's part of the table, in the order of the menu bar.
 void addFileCommands(std::vector<Command>& all);
+void addClipboardCommands(std::vector<Command>& all);
 void addEditCommands(std::vector<Command>& all);
 void addViewCommands(std::vector<Command>& all);
+void addPointCommands(std::vector<Command>& all);
 void addCurveCommands(std::vector<Command>& all);
 void addMotionCommands(std::vector<Command>& all);
 

@@ -1,7 +1,36 @@
 // The Motion and Help menus.
 #include "ui/commands/menus.h"
 
+#include "ui/travel.h"
+
 namespace splineloft::ui {
+namespace {
+
+// A key steps the traveller by so much of the way.
+constexpr double stepPart = 0.01;
+
+bool canStep(const Session& session) {
+    return hasPieces(session) && (session.view.playing || session.view.selection.empty());
+}
+
+void addSteps(std::vector<Command>& all) {
+    const auto add = [&all](std::string id, std::string name, Key key, double part) {
+        all.push_back({std::move(id),
+                       "Motion",
+                       called(std::move(name)),
+                       {{key}},
+                       [part](Session& s) {
+                           s.view.playing = false;
+                           travel(s, part);
+                       },
+                       canStep});
+        all.back().repeats = true;
+    };
+    add("motion.stepBack", "Step back", Key::left, -stepPart);
+    add("motion.stepOn", "Step on", Key::right, stepPart);
+}
+
+} // namespace
 
 void addMotionCommands(std::vector<Command>& all) {
     all.push_back({"motion.play",
@@ -11,6 +40,8 @@ void addMotionCommands(std::vector<Command>& all) {
                    [](Session& s) { s.view.playing = !s.view.playing; },
                    [](const Session& s) { return hasCurve(s) && !s.active()->pieces().empty(); },
                    [](const Session& s) { return s.view.playing; }});
+    all.back().onTap = true; // held down, Space moves the view
+    addSteps(all);
     all.push_back({"motion.length",
                    "Motion",
                    called("Constant speed (even in length)"),

@@ -12,6 +12,7 @@ std::vector<Command> allCommands() {
     addFileCommands(all);
     addEditCommands(all);
     addViewCommands(all);
+    addPointCommands(all);
     addCurveCommands(all);
     addMotionCommands(all);
     return all;
@@ -85,7 +86,9 @@ bool runShortcut(Session& session, const Shortcut& shortcut, Strike strike) {
     for (const auto& command : commands()) {
         const bool named =
             std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
-        const bool due = strike == Strike::fresh || command.repeats;
+        const bool due = command.onTap ? strike == Strike::tap
+                                       : strike == Strike::fresh ||
+                                             (strike == Strike::repeated && command.repeats);
         if (named && due && command.possible(session)) {
             command.run(session);
             return true;

@@ -41,6 +41,15 @@ void drive(Session& session, const PointerEvent& event, double scale) {
     }
 }
 
+/// A press with Space held down moves the view.
+void markPan(Session& session, PointerEvent& event) {
+    auto& held = session.heldKey;
+    if (event.kind == PointerEvent::Kind::press && held && held->key == Key::space) {
+        event.pans = true;
+        held->served = true;
+    }
+}
+
 Modifiers heldModifiers() {
     const auto& io = ImGui::GetIO();
     return {io.KeyShift, io.KeyCtrl, io.KeyAlt};
@@ -73,8 +82,9 @@ void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent
         if (wheel != nullptr && over) {
             session.view.camera = zoomed({session.view.camera, session.canvas}, session.pointer,
                                          std::pow(zoomPerNotch, wheel->dy));
-        } else if (const auto pointer = pointerEvent(event, session.pointer, heldModifiers());
+        } else if (auto pointer = pointerEvent(event, session.pointer, heldModifiers());
                    pointer && (over || busy)) {
+            markPan(session, *pointer);
             drive(session, *pointer, stage.scale);
         }
     }

@@ -190,6 +190,12 @@ class Inspector {
         ImGui::Spacing();
     }
 
+    void selection() {
+        if (auto edit = drawSelection(session_, view_, stage_)) {
+            edit_ = std::move(edit);
+        }
+    }
+
     void points(const Study& study) {
         heading("Points");
         if (auto edit = drawPoints(session_, view_, study, stage_)) {
@@ -302,6 +308,7 @@ std::optional<Edit> drawInspector(const Session& session, View& view, const Stag
         inspector.ends(*study);
         inspector.traits(*study);
         inspector.axes(*study);
+        inspector.selection();
         inspector.points(*study);
     } else {
         quietText(

@@ -9,7 +9,8 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr std::array menus = {"File", "Edit", "View", "Curve", "Family", "Motion", "Help"};
+constexpr std::array menus = {"File",  "Edit",   "View",   "Points",
+                              "Curve", "Family", "Motion", "Help"};
 
 void drawCommand(Session& session, const Command& command) {
     if (command.startsGroup) {

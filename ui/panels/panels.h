@@ -23,6 +23,12 @@ std::optional<Edit> drawInspector(const Session& session, View& view, const Stag
 std::optional<Edit> drawPoints(const Session& session, View& view, const Study& study,
                                const Stage& stage);
 
+/// The box of several selected points in numbers.
+std::optional<Edit> drawSelection(const Session& session, const View& view, const Stage& stage);
+
+/// The numbers of the point for which exact entry was asked, beside it on the canvas.
+std::optional<Edit> drawExactEntry(const Session& session, View& view, const Stage& stage);
+
 /// The strip of plots: its controls and values. Returns where the two plots are to be drawn.
 struct StripFrames {
     ScreenRect whole, segments;

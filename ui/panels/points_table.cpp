@@ -1,5 +1,6 @@
 // The points of a curve in rows: coordinates, and beside them what else a control point has.
 #include "core/document/edits.h"
+#include "ui/canvas/point_values.h"
 #include "ui/canvas/wording.h"
 #include "ui/lettering.h"
 #include "ui/panels/panels.h"
@@ -8,7 +9,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace splineloft::ui {
@@ -18,37 +18,16 @@ namespace {
 constexpr std::size_t mostCoordinatesAbreast = 3;
 constexpr std::size_t mostColumnsAbreast = 4;
 
-/// A column of one number for each control point that is no coordinate.
-struct ListColumn {
-    std::string heading;
-    std::string name;       ///< in the list of what can be undone
-    std::string_view local; ///< key of a parameter; the weight where there is none
-};
-
-std::vector<ListColumn> listColumnsOf(const Study& study) {
-    std::vector<ListColumn> columns;
-    if (study.family().usesWeights) {
-        columns.push_back({"w", "weight", {}});
-    }
-    for (const auto& parameter : study.family().parameters) {
-        if (study.curve().local.contains(std::string(parameter.key))) {
-            columns.push_back(
-                {std::string(parameter.symbol), std::string(parameter.label), parameter.key});
-        }
-    }
-    return columns;
-}
-
 /// One table being drawn; keeps what the person did.
 class PointsTable {
   public:
     PointsTable(const Session& session, View& view, const Study& study, const Stage& stage)
         : session_(session), view_(view), curve_(study.curve()), stage_(stage),
-          lists_(listColumnsOf(study)) {}
+          values_(pointValuesOf(study.curve())) {}
 
     std::optional<Edit> draw() {
         const auto coordinates = curve_.coordinates.size();
-        const auto columns = coordinates + lists_.size();
+        const auto columns = coordinates + values_.size();
         const bool wide = coordinates > mostCoordinatesAbreast || columns > mostColumnsAbreast;
         const auto rows = curve_.points.size() + curve_.tangents.size();
         const float height =
@@ -89,7 +68,7 @@ class PointsTable {
     std::string headingOf(std::size_t column) const {
         const auto coordinates = curve_.coordinates.size();
         return column < coordinates ? curve_.coordinates[column]
-                                    : lists_[column - coordinates].heading;
+                                    : std::string(values_[column - coordinates].parameter.symbol);
     }
 
     void header(std::size_t columns) {
@@ -116,7 +95,7 @@ class PointsTable {
                 name(id);
                 coordinates(id);
                 if (!tangent) {
-                    lists(index);
+                    values(index);
                 }
                 ImGui::PopID();
                 ImGui::PopID();
@@ -170,18 +149,13 @@ class PointsTable {
     }
 
     /// Its weight and local parameters.
-    void lists(std::size_t point) {
-        for (std::size_t k = 0; k < lists_.size(); ++k) {
-            const auto& [heading, name, key] = lists_[k];
-            const auto& weights = curve_.weights;
-            const double value = !key.empty()      ? curve_.local.at(std::string(key)).at(point)
-                                 : weights.empty() ? 1
-                                                   : weights.at(point);
-            if (const auto entered = cell(curve_.coordinates.size() + k, value)) {
-                const auto curve = view_.activeCurve;
-                commit(key.empty() ? setWeight(settled(), curve, point, *entered)
-                                   : setLocal(settled(), curve, key, std::array{point}, *entered),
-                       "Set " + name + " of " + plainPointName(point));
+    void values(std::size_t point) {
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            const auto entered =
+                cell(curve_.coordinates.size() + k, valueAt(curve_, values_[k], point));
+            if (entered) {
+                commit(withValueAt(settled(), view_.activeCurve, values_[k], point, *entered),
+                       settingOf(values_[k], point));
             }
         }
     }
@@ -190,7 +164,7 @@ class PointsTable {
     View& view_;
     const Curve& curve_;
     const Stage& stage_;
-    std::vector<ListColumn> lists_;
+    std::vector<PointValue> values_;
     std::optional<Edit> edit_;
 };
 

@@ -5,6 +5,9 @@
 #include "core/spline/catalog.h"
 #include "ui/canvas/hints.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace splineloft::ui {
 namespace {
 
@@ -12,20 +15,46 @@ std::vector<PointId> listed(const std::set<PointId>& ids) {
     return {ids.begin(), ids.end()};
 }
 
+std::optional<Stem> stemUnder(const View& view, const PointerEvent& event, const Situation& s) {
+    return stemAt(stemsOf(s.live, view, s.viewport, s.scale), event.at, s.scale);
+}
+
+std::optional<Grip> gripUnder(const View& view, const PointerEvent& event, const Situation& s) {
+    const auto gizmo = gizmoOf(s.live, view, s.viewport, s.scale);
+    return gizmo ? gripAt(*gizmo, event.at, s.scale) : std::nullopt;
+}
+
 Reaction hover(const View& view, const PointerEvent& event, const Situation& s) {
     Reaction reaction = stay(Idle{}, view);
     const Hit hit = pick(s.live, s.studies, view, s.viewport, event.at, s.scale);
-    reaction.view.hovered = hit.point;
-    reaction.view.ghost.reset();
-    if (hit.curve && hit.curve->curve == view.activeCurve && view.tool == Tool::select) {
-        reaction.view.ghost = hit.curve->spot;
+    auto& next = reaction.view;
+    next.hovered = hit.point;
+    next.ghost.reset();
+    next.hoversStem = !hit.point && stemUnder(view, event, s);
+    next.hoveredGrip = hit.point || next.hoversStem ? std::nullopt : gripUnder(view, event, s);
+    const bool free = !next.hoversStem && !next.hoveredGrip && view.tool == Tool::select;
+    if (free && hit.curve && hit.curve->curve == view.activeCurve) {
+        next.ghost = hit.curve->spot;
     }
     return reaction;
+}
+
+/// Of the points that lie on top of one another at the pointer, the one after `id`.
+PointId nextUnder(const PointId& id, const View& view, const PointerEvent& event,
+                  const Situation& s) {
+    const auto under = pointsUnder(s.live, view, s.viewport, event.at, s.scale);
+    const auto after = std::ranges::upper_bound(under, id);
+    return after != under.end() ? *after : under.empty() ? id : under.front();
 }
 
 Reaction pressPoint(const View& view, const PointerEvent& event, const PointId& id) {
     Reaction reaction = stay(Idle{}, view);
     auto& selection = reaction.view.selection;
+    if (event.clicks == 2 && id.part == Part::point) {
+        selection = {id};
+        reaction.view.exactEntry = id;
+        return reaction;
+    }
     const bool wasSelected = selection.contains(id);
     activate(reaction.view, id.curve);
     if (event.modifiers.shift && wasSelected) {
@@ -39,6 +68,29 @@ Reaction pressPoint(const View& view, const PointerEvent& event, const PointId& 
     reaction.gesture = DraggingPoints{listed(selection), id, event.at, false,
                                       wasSelected && !event.modifiers.shift};
     return reaction;
+}
+
+Reaction pressStem(const View& view, const PointerEvent& event, Stem stem, const Situation& s) {
+    if (event.clicks < 2) {
+        return stay(SlidingStem{std::move(stem), event.at}, view);
+    }
+    Reaction reaction = stay(Idle{}, view);
+    const auto& [curve, index, part] = stem.point;
+    reaction.edit =
+        Edit{withValueAt(s.settled, curve, stem.value, index, stem.value.parameter.neutral),
+             Phase::commit, settingOf(stem.value, index)};
+    return reaction;
+}
+
+Reaction pressGrip(const View& view, const PointerEvent& event, const Grip& grip,
+                   const Situation& s) {
+    Transforming pulling;
+    pulling.box = *boxOfSelection(s.live, view);
+    pulling.grip = grip;
+    pulling.from = event.at;
+    std::ranges::copy_if(view.selection, std::back_inserter(pulling.ids),
+                         [](const PointId& id) { return id.part == Part::point; });
+    return stay(std::move(pulling), view);
 }
 
 Reaction pressCurve(const View& view, const PointerEvent& event, const CurveHit& hit,
@@ -64,8 +116,8 @@ Reaction pressCurve(const View& view, const PointerEvent& event, const CurveHit&
 }
 
 Reaction press(const View& view, const PointerEvent& event, const Situation& s) {
-    if (event.button == Button::middle) {
-        return stay(Panning{event.at}, view);
+    if (event.button == Button::middle || (event.pans && event.button == Button::left)) {
+        return stay(Panning{event.at, event.button}, view);
     }
     if (event.button != Button::left) {
         return stay(Idle{}, view);
@@ -75,7 +127,14 @@ Reaction press(const View& view, const PointerEvent& event, const Situation& s) 
     }
     const Hit hit = pick(s.live, s.studies, view, s.viewport, event.at, s.scale);
     if (hit.point) {
-        return pressPoint(view, event, *hit.point);
+        const bool next = event.modifiers.alt && view.selection.contains(*hit.point);
+        return pressPoint(view, event, next ? nextUnder(*hit.point, view, event, s) : *hit.point);
+    }
+    if (auto stem = stemUnder(view, event, s)) {
+        return pressStem(view, event, std::move(*stem), s);
+    }
+    if (const auto grip = gripUnder(view, event, s)) {
+        return pressGrip(view, event, *grip, s);
     }
     if (hit.curve) {
         return pressCurve(view, event, *hit.curve, s);

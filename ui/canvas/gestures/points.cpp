@@ -13,11 +13,9 @@ namespace {
 /// The whole displacement of a drag, from where it began: nothing adds up.
 SnappedMove moveOf(const DraggingPoints& drag, const View& view, const PointerEvent& event,
                    const Situation& s) {
-    SnappedMove move{(event.at.x - drag.from.x) / s.viewport.camera.pixelsPerUnit,
-                     -(event.at.y - drag.from.y) / s.viewport.camera.pixelsPerUnit, std::nullopt};
-    if (event.modifiers.shift) {
-        (std::abs(move.dx) >= std::abs(move.dy) ? move.dy : move.dx) = 0;
-    }
+    const double dx = s.viewport.toPlane(event.at.x - drag.from.x);
+    const double dy = -s.viewport.toPlane(event.at.y - drag.from.y);
+    const SnappedMove move = event.modifiers.shift ? onCourse(dx, dy) : SnappedMove{dx, dy};
     return event.modifiers.control ? snapped(move, drag.ids, drag.grabbed, view, s)
                                    : tidied(move, drag.grabbed, view, s);
 }
@@ -54,6 +52,7 @@ Reaction step(const DraggingPoints& drag, const View& view, const PointerEvent& 
         return stay(next, view);
     }
     const auto move = moveOf(drag, view, event, s);
+    next.course = move.course;
     next.snappedTo = move.to;
     return {next, view, Edit{dragged(drag, move, view, s), Phase::preview, ""}};
 }

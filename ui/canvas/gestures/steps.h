@@ -17,6 +17,11 @@ Reaction step(const SlidingCursor& sliding, const View& view, const PointerEvent
 Reaction step(const PlacingPoint& placing, const View& view, const PointerEvent& event,
               const Situation& s);
 
+Reaction step(const Transforming& pulling, const View& view, const PointerEvent& event,
+              const Situation& s);
+Reaction step(const SlidingStem& sliding, const View& view, const PointerEvent& event,
+              const Situation& s);
+
 /// What a press of the pen begins.
 Reaction pressWithPen(const View& view, const PointerEvent& event, const Situation& s);
 

@@ -29,11 +29,10 @@ Reaction step(const Boxing& box, const View& view, const PointerEvent& event, co
 }
 
 Reaction step(const Panning& pan, const View& view, const PointerEvent& event, const Situation&) {
-    if (event.kind == Kind::cancel ||
-        (event.kind == Kind::release && event.button == Button::middle)) {
+    if (event.kind == Kind::cancel || (event.kind == Kind::release && event.button == pan.button)) {
         return stay(Idle{}, view);
     }
-    Reaction reaction = stay(Panning{event.at}, view);
+    Reaction reaction = stay(Panning{event.at, pan.button}, view);
     reaction.view.camera = panned(view.camera, event.at.x - pan.last.x, event.at.y - pan.last.y);
     return reaction;
 }

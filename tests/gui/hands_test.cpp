@@ -1,0 +1,204 @@
+// What hands expect beyond dragging: Space held to move the view, Tab through the points, points on
+// top of one another, numbers typed in beside a point, the clipboard.
+#include "driver.h"
+#include "hand.h"
+
+#include "ui/canvas/viewport.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+namespace splineloft::ui {
+namespace {
+
+TEST(Hands, spaceHeldMovesTheViewAndDoesNotPlay) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    const Camera before = driver.session.view.camera;
+    const ScreenPoint from = driver.atPoint(3);
+    driver.move(from);
+    driver.send(KeyChanged{Key::space, true, false, {}});
+    driver.settle();
+    EXPECT_EQ(driver.result.pointer, PointerShape::move);
+    driver.drag(from, {from.x + 90, from.y - 40});
+    driver.send(KeyChanged{Key::space, false, false, {}});
+    driver.settle();
+    EXPECT_NEAR(driver.session.view.camera.centre.x, before.centre.x - 90 / before.pixelsPerUnit,
+                1e-9);
+    EXPECT_NEAR(driver.session.view.camera.centre.y, before.centre.y - 40 / before.pixelsPerUnit,
+                1e-9);
+    EXPECT_EQ(driver.steps(), 0) << "the point under it stays";
+    EXPECT_FALSE(driver.session.view.playing);
+}
+
+TEST(Hands, spaceTappedPlays) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    driver.move(driver.at({0, 0}));
+    driver.key(Key::space);
+    EXPECT_TRUE(driver.session.view.playing);
+    driver.key(Key::space);
+    EXPECT_FALSE(driver.session.view.playing);
+}
+
+TEST(Hands, arrowsStepTheTravellerWhereNothingIsSelected) {
+    Hand hand(documentOf({curveOf("cardinal")}));
+    const Spot before = hand.session.view.cursor;
+    const auto& lengths = hand.session.active()->lengths();
+    const double start = lengths.upTo(before);
+    hand.key(Key::right);
+    EXPECT_NEAR(lengths.upTo(hand.session.view.cursor) - start, 0.01 * lengths.total(), 1e-9);
+    hand.key(Key::left);
+    EXPECT_NEAR(lengths.upTo(hand.session.view.cursor), start, 1e-9);
+    hand.session.view.playing = true;
+    hand.key(Key::left);
+    EXPECT_FALSE(hand.session.view.playing) << "a step stops it";
+    EXPECT_EQ(hand.steps(), 0);
+}
+
+TEST(Hands, tabGoesThroughThePoints) {
+    Hand hand(documentOf({curveOf("cardinal")}));
+    const auto selected = [&] { return hand.session.view.selection; };
+    hand.key(Key::tab);
+    EXPECT_EQ(selected(), (std::set<PointId>{{0, 0}}));
+    hand.key(Key::tab);
+    EXPECT_EQ(selected(), (std::set<PointId>{{0, 1}}));
+    hand.key(Key::tab, withShift);
+    hand.key(Key::tab, withShift);
+    EXPECT_EQ(selected(), (std::set<PointId>{{0, 6}})) << "around the end";
+    hand.key(Key::tab);
+    EXPECT_EQ(selected(), (std::set<PointId>{{0, 0}}));
+}
+
+TEST(Hands, shiftKeeps45Degrees) {
+    Hand hand(documentOf({curveOf("cardinal")}));
+    const Point before = hand.curve().points.at(3);
+    hand.press(hand.place(3));
+    hand.move({before[0] + 1.1, before[1] + 0.9}, withShift);
+    const auto* drag = std::get_if<DraggingPoints>(&hand.session.gesture);
+    ASSERT_TRUE(drag);
+    EXPECT_EQ(drag->course, Course::rising) << "the line that it keeps to is seen";
+    hand.release({before[0] + 1.1, before[1] + 0.9}, withShift);
+    const Point way = hand.curve().points.at(3) - before;
+    EXPECT_NEAR(way[0], way[1], 1e-12);
+    EXPECT_NEAR(way[0], 1, 0.006);
+    hand.drag(hand.place(3), {hand.place(3).x - 0.8, hand.place(3).y + 1}, withShift);
+    const Point back = hand.curve().points.at(3) - before - way;
+    EXPECT_NEAR(back[0], -back[1], 1e-12);
+}
+
+TEST(Hands, altClickTakesThePointBelow) {
+    Curve stacked = curveOf("linear");
+    stacked.points.set(4, stacked.points.at(2));
+    stacked.points.set(5, stacked.points.at(2));
+    Hand hand(documentOf({stacked}));
+    const PlanePoint at = hand.place(2);
+    std::set<PointId> seen;
+    hand.click(at);
+    seen.insert(*hand.session.view.selection.begin());
+    for (int i = 0; i < 2; ++i) {
+        hand.click(at, {.alt = true});
+        ASSERT_EQ(hand.session.view.selection.size(), 1U);
+        seen.insert(*hand.session.view.selection.begin());
+    }
+    EXPECT_EQ(seen, (std::set<PointId>{{0, 2}, {0, 4}, {0, 5}}));
+    const std::size_t held = hand.session.view.selection.begin()->index;
+    hand.drag(at, {at.x + 1, at.y});
+    EXPECT_NE(hand.place(held), at) << "the selected one is dragged";
+    EXPECT_EQ(hand.steps(), 1);
+}
+
+TEST(Hands, doubleClickOnAPointTypesItsNumbers) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    driver.doubleClick(driver.atPoint(2));
+    driver.settle();
+    ASSERT_EQ(driver.session.view.exactEntry, (PointId{0, 2}));
+    driver.type("3+0.1");
+    driver.key(Key::tab);
+    driver.type("-2*0.5");
+    driver.key(Key::enter);
+    EXPECT_EQ(driver.curve().points.at(2), (Point{3.1, -1}));
+    EXPECT_FALSE(driver.session.view.exactEntry) << "Enter ends it";
+    driver.doubleClick(driver.atPoint(2));
+    driver.type("77");
+    driver.key(Key::escape);
+    driver.settle();
+    EXPECT_EQ(driver.curve().points.at(2), (Point{3.1, -1}));
+    EXPECT_FALSE(driver.session.view.exactEntry);
+}
+
+TEST(Clipboard, copiesCutsAndPastesPoints) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    driver.move(driver.at({0, 0}));
+    driver.session.view.selection = {{0, 1}, {0, 2}, {0, 4}};
+    driver.key(Key::c, withControl);
+    EXPECT_NE(std::string(ImGui::GetClipboardText()).find("\"format\": \"splineloft\""),
+              std::string::npos);
+    driver.key(Key::v, withControl);
+    ASSERT_EQ(driver.session.document().curves.size(), 2U);
+    EXPECT_EQ(driver.curve().points.size(), 3U) << "the pasted curve is the active one";
+    EXPECT_EQ(driver.session.view.selection.size(), 3U);
+    driver.key(Key::x, withControl);
+    EXPECT_EQ(driver.session.document().curves.size(), 1U);
+    EXPECT_EQ(driver.steps(), 2);
+}
+
+TEST(Clipboard, pastesSvgPathsAndSaysWhatIsWrong) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    driver.move(driver.at({0, 0}));
+    ImGui::SetClipboardText("M 0 0 C 0 1 1 2 2 2 S 4 1 4 0 Z");
+    driver.key(Key::v, withControl);
+    ASSERT_EQ(driver.session.document().curves.size(), 2U);
+    EXPECT_EQ(driver.curve().family, "bezier-spline");
+    EXPECT_TRUE(driver.curve().closed);
+    ImGui::SetClipboardText("M 0 0 C 1 2 three");
+    driver.key(Key::v, withControl);
+    EXPECT_EQ(driver.session.document().curves.size(), 2U);
+    ASSERT_TRUE(driver.session.notice);
+    EXPECT_TRUE(driver.session.notice->isProblem);
+}
+
+TEST(Hands, aCopyDoesNotHideWhatItWasMadeFrom) {
+    Hand hand(documentOf({curveOf("b-spline")}));
+    hand.key(Key::d, withControl);
+    ASSERT_EQ(hand.session.document().curves.size(), 2U);
+    EXPECT_NE(hand.place(0, 0), hand.place(0, 1));
+    EXPECT_EQ(hand.session.view.activeCurve, 1U);
+    EXPECT_EQ(hand.steps(), 1);
+}
+
+TEST(Hands, twoEndsAreJoinedAndACurveIsSplit) {
+    Curve other = curveOf("bezier-spline");
+    for (std::size_t i = 0; i < other.points.size(); ++i) {
+        other.points.set(i, other.points.at(i) + Point{8, 0});
+    }
+    Hand hand(documentOf({curveOf("bezier-spline"), other}));
+    hand.session.view.selection = {{0, 6}, {1, 0}};
+    hand.key(Key::j, withControl);
+    ASSERT_EQ(hand.session.document().curves.size(), 1U);
+    EXPECT_EQ(hand.curve().points.size(), 16U) << "a leg leads from end to end";
+    hand.session.view.selection = {{0, 6}};
+    hand.key(Key::k, withControl);
+    EXPECT_EQ(hand.session.document().curves.size(), 2U);
+    hand.key(Key::z, withControl);
+    hand.key(Key::z, withControl);
+    EXPECT_EQ(hand.session.document().curves.size(), 2U);
+    EXPECT_EQ(hand.curve(1), other);
+}
+
+TEST(Hands, oneKeyGoesThroughTheKindsOfHandles) {
+    Hand hand(documentOf({curveOf("bezier-spline")}));
+    hand.session.view.selection = {{0, 3}};
+    for (int i = 0; i < 4; ++i) {
+        hand.key(Key::m);
+    }
+    EXPECT_LE(hand.steps(), 4);
+    EXPECT_GE(hand.steps(), 2);
+    EXPECT_TRUE(hand.session.notice);
+}
+
+} // namespace
+} // namespace splineloft::ui
