@@ -10,7 +10,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/splineloft)
 # searches search and how JSON is written is our own affair.
 set(private families|lanes|arrangement|json_tape|json_text|value_reader|handling_json|two|scale|rounded|natural_slopes|arcs)
 string(APPEND private |corners|fit|knotted|proposers|change/shape|trial|branch_points|length_chart)
-string(APPEND private |length_walk|nearest_any|nearest_cubic|nearest_search|quadrature|speed)
+string(APPEND private |length_walk|nearest_any|nearest_cubic|nearest_search|quadrature|speed|thick_chords)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${headers}
         FILES_MATCHING PATTERN "*.h" REGEX "/(${private})(\\.h|$)" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/core/splineloft.h DESTINATION ${headers})

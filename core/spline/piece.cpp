@@ -107,7 +107,20 @@ Ladder<Point> Piece::ladder(double u) const {
 }
 
 Point Piece::position(double u) const {
-    return jet(u).position;
+    if (degree != 3) {
+        return jet(u).position;
+    }
+    // By far the most are cubic: the same without loops and derivatives.
+    const auto stride = static_cast<std::size_t>(width());
+    Point tip(width());
+    for (std::size_t c = 0; c < stride; ++c) {
+        const double* const p = &coordinates[c];
+        const double middle = lerp(p[stride], p[2 * stride], u);
+        const double before = lerp(lerp(p[0], p[stride], u), middle, u);
+        const double after = lerp(middle, lerp(p[2 * stride], p[3 * stride], u), u);
+        tip[static_cast<int>(c)] = lerp(before, after, u);
+    }
+    return form == Form::rational ? projected(tip) : tip;
 }
 
 Jet Piece::jet(double u) const {

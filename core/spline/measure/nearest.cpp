@@ -3,6 +3,7 @@
 #include "core/spline/algebra/scale.h"
 #include "core/spline/measure/nearest_any.h"
 #include "core/spline/measure/nearest_cubic.h"
+#include "core/spline/measure/thick_chords.h"
 
 #include <algorithm>
 #include <array>
@@ -71,67 +72,42 @@ template <class Search> void lookAtAll(Search& search, std::size_t pieces) {
     }
 }
 
-/// A member of a group and its lower bound, in one number that sorts by the bound. What the bound
-/// loses of its last digits makes it lower.
-using Candidate = std::uint64_t;
-constexpr Candidate memberMask = ThickChords::groupSize - 1;
-
-Candidate candidateOf(double bound, std::size_t member) {
-    return (std::bit_cast<Candidate>(bound) & ~memberMask) | member;
-}
-
-/// The last candidate that may be nearer than what is found.
-template <class Search> Candidate lastFor(const Search& search) {
-    return std::bit_cast<Candidate>(search.distance()) | memberMask;
-}
-
-/// Looks at the pieces in a group of thick chords, the nearest ones first.
-template <class Search>
-void lookInto(Search& search, const ThickChords& chords, std::size_t level, std::size_t group,
-              const Point& place) {
-    constexpr auto size = ThickChords::groupSize;
-    const auto bounds = chords.distances(level, group, place);
-    const auto visit = [&](Candidate candidate) {
-        const auto member = group * size + (candidate & memberMask);
-        if (level == 0) {
-            search.look(member);
-        } else {
-            lookInto(search, chords, level - 1, member, place);
-        }
-    };
-    // All without branches, which nothing would predict: the nearest one as a tournament, and of
-    // the others, the few that remain after it.
-    std::array<Candidate, size> candidates, rest;
-    for (std::size_t m = 0; m < size; ++m) {
-        candidates[m] = rest[m] = candidateOf(bounds[m], m);
+/// Searches the pieces in a tree of thick chords, the nearest ones first.
+template <class Search> class TreeSearch {
+  public:
+    TreeSearch(Search& search, const ThickChords& chords, const Point& place)
+        : search_(search), chords_(chords) {
+        constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+        question_.place = place.coordinates().data();
+        question_.rounding = rounding * largestOf(place.coordinates());
+        question_.gap = chords.gap();
+        question_.limit = search.distance();
     }
-    for (auto left = size / 2; left > 0; left /= 2) {
-        for (std::size_t m = 0; m < left; ++m) {
-            const auto one = rest[m];
-            const auto other = rest[m + left];
-            rest[m] = one < other ? one : other;
+
+    void lookInto(std::size_t level, std::size_t group) {
+        auto choice = lanes::chooseChords(chords_.group(level, group), question_);
+        question_.limit = choice.limit;
+        const auto candidates = std::span(choice.candidates).first(choice.count);
+        std::ranges::sort(candidates);
+        for (const auto candidate : candidates) {
+            if (candidate > (std::bit_cast<lanes::Candidate>(question_.limit) | lanes::chordMask)) {
+                break;
+            }
+            const auto member = chords_.firstOf(level, group) + (candidate & lanes::chordMask);
+            if (level > 0) {
+                lookInto(level - 1, member);
+            } else {
+                search_.look(member);
+                question_.limit = std::min(question_.limit, search_.distance());
+            }
         }
     }
-    const auto first = rest[0];
-    if (first > lastFor(search)) {
-        return;
-    }
-    visit(first);
-    const auto present = std::min(size, chords.members(level) - group * size);
-    const auto last = lastFor(search);
-    std::size_t count = 0;
-    for (std::size_t m = 0; m < present; ++m) {
-        rest[count] = candidates[m];
-        count += static_cast<std::size_t>(candidates[m] <= last) &
-                 static_cast<std::size_t>(candidates[m] != first);
-    }
-    if (count > 1) {
-        std::sort(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(count));
-    }
-    for (std::size_t i = 0; i < count && rest[i] <= lastFor(search); ++i) {
-        visit(rest[i]);
-    }
-}
+
+  private:
+    Search& search_;
+    const ThickChords& chords_;
+    lanes::ChordQuestion question_;
+};
 
 } // namespace
 
@@ -145,15 +121,16 @@ std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place, doubl
     });
 }
 
-NearestIndex::NearestIndex(const Pieces& pieces) : pieces_(&pieces), chords_(pieces) {}
+NearestIndex::NearestIndex(const Pieces& pieces)
+    : pieces_(&pieces), chords_(std::make_shared<const ThickChords>(pieces)) {}
 
 std::optional<Nearest> NearestIndex::nearest(const Point& place, double within) const {
-    const double size = std::max(chords_.farthest(), largestOf(place.coordinates()));
-    if (chords_.levels() == 0 || !(size > nearest::leastQuick && size < nearest::mostQuick)) {
+    const double size = std::max(chords_->farthest(), largestOf(place.coordinates()));
+    if (chords_->levels() == 0 || !(size > nearest::leastQuick && size < nearest::mostQuick)) {
         return nearestTo(*pieces_, place, within);
     }
-    return withSearch(*pieces_, chords_.farthest(), place, within, [&](auto search) {
-        lookInto(search, chords_, chords_.levels() - 1, 0, place);
+    return withSearch(*pieces_, chords_->farthest(), place, within, [&](auto search) {
+        TreeSearch(search, *chords_, place).lookInto(chords_->levels() - 1, 0);
         return resultOf(search.best(), *pieces_, place);
     });
 }

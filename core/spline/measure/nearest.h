@@ -1,13 +1,15 @@
 // The spot of a curve nearest to a given place.
 #pragma once
 
-#include "core/spline/measure/thick_chords.h"
 #include "core/spline/piece.h"
 
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace splineloft {
+
+class ThickChords;
 
 /// The closest spot and how far away it is.
 struct Nearest {
@@ -36,7 +38,7 @@ class NearestIndex {
 
   private:
     const Pieces* pieces_;
-    ThickChords chords_;
+    std::shared_ptr<const ThickChords> chords_; ///< never changes: copies share it
 };
 
 } // namespace splineloft

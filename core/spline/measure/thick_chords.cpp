@@ -1,167 +1,126 @@
 #include "core/spline/measure/thick_chords.h"
 
-#include "core/spline/algebra/two.h"
+#include "core/spline/algebra/scale.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace splineloft {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+// Where chords start that are not there: the square is a number, and no place is as far away.
+constexpr double beyondAll = 0x1p500;
 
-/// A chord in the making.
-struct Chord {
-    Point start, way;
-    double overLength2 = 0; // 1 / |way|^2, or 0 for a chord without length
-    double radius = 0;
+std::size_t quotientRoundedUp(std::size_t a, std::size_t b) {
+    return (a + b - 1) / b;
+}
 
-    Chord(const Point& from, const Point& to) : start(from), way(to - from) {
-        const double over = 1 / dot(way, way);
-        overLength2 = std::isfinite(over) ? over : 0;
+/// The coordinates of all Bézier points.
+std::vector<double> placesOf(const Pieces& pieces) {
+    std::vector<double> places;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (int k = 0; k <= pieces.degree(); ++k) {
+            const Point place = pieces[i].bezierPoint(k);
+            places.insert(places.end(), place.coordinates().begin(), place.coordinates().end());
+        }
+    }
+    return places;
+}
+
+/// A chord around a run of places.
+class Chord {
+  public:
+    Chord(std::span<const double> places, std::size_t dimension)
+        : places_(places), start_(places.first(dimension)), way_(places.last(dimension)) {
+        way_ -= start_;
+        const double over = 1 / dot(way_, way_);
+        overLength2_ = std::isfinite(over) ? over : 0;
+        moveIntoTheMiddle();
+        for (std::size_t i = 0; i < places.size(); i += dimension) {
+            const Point off = offAt(i);
+            const double along = std::clamp(dot(off, way_) * overLength2_, 0.0, 1.0);
+            radius_ = std::max(radius_, norm(off - along * way_));
+        }
     }
 
-    void widenTo(const Point& place) {
-        const Point off = place - start;
-        const double along = std::clamp(dot(off, way) * overLength2, 0.0, 1.0);
-        radius = std::max(radius, norm(off - along * way));
+    const Point& start() const { return start_; }
+    const Point& way() const { return way_; }
+    double overLength2() const { return overLength2_; } ///< 0 for a chord without length
+    double radius() const { return radius_; }
+
+  private:
+    /// From the start to the place at number i.
+    Point offAt(std::size_t i) const {
+        return Point(places_.subspan(i, static_cast<std::size_t>(start_.dimension()))) - start_;
     }
+
+    void moveIntoTheMiddle() {
+        Point least(start_.dimension()), most(start_.dimension());
+        for (std::size_t i = 0; i < places_.size();
+             i += static_cast<std::size_t>(start_.dimension())) {
+            const Point off = offAt(i);
+            const Point aside = off - (dot(off, way_) * overLength2_) * way_;
+            for (int c = 0; c < start_.dimension(); ++c) {
+                least[c] = std::min(least[c], aside[c]);
+                most[c] = std::max(most[c], aside[c]);
+            }
+        }
+        start_ += 0.5 * (least + most);
+    }
+
+    std::span<const double> places_;
+    Point start_, way_;
+    double overLength2_ = 0;
+    double radius_ = 0;
 };
 
 } // namespace
 
 ThickChords::ThickChords(const Pieces& pieces)
     : dimension_(static_cast<std::size_t>(pieces.dimension())) {
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        for (int k = 0; k <= pieces.degree(); ++k) {
-            const Point place = pieces[i].bezierPoint(k);
-            for (const double x : place.coordinates()) {
-                farthest_ = std::max(farthest_, std::abs(x));
-            }
-        }
+    if (pieces.empty()) {
+        return;
     }
-    std::size_t piecesAMember = 1;
-    while (!pieces.empty() && (levels_.empty() || levels_.back().members > groupSize)) {
-        addLevel(pieces, piecesAMember);
-        piecesAMember *= groupSize;
+    const auto places = placesOf(pieces);
+    farthest_ = largestOf(places);
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        gap_ = std::max(
+            gap_, distance(pieces[i - 1].bezierPoint(pieces.degree()), pieces[i].bezierPoint(0)));
+    }
+    const auto perPiece = places.size() / pieces.size();
+    addLevel(places, perPiece);
+    for (auto run = groupSize; levels_.back().members > lanes::mostChords; run *= groupSize) {
+        addLevel(places, run * perPiece);
     }
 }
 
-void ThickChords::addLevel(const Pieces& pieces, std::size_t piecesAMember) {
-    Level level;
-    level.members = (pieces.size() + piecesAMember - 1) / piecesAMember;
-    const auto groups = (level.members + groupSize - 1) / groupSize;
-    level.numbers.assign(groups * rows() * groupSize, 0);
-    for (std::size_t m = 0; m < groups * groupSize; ++m) {
-        double* const column = &level.numbers[m / groupSize * rows() * groupSize + m % groupSize];
-        double* const radius = column + (rows() - 1) * groupSize;
-        if (m >= level.members) {
-            *radius = -std::numeric_limits<double>::infinity();
+void ThickChords::addLevel(std::span<const double> places, std::size_t numbersAMember) {
+    const auto members = quotientRoundedUp(places.size(), numbersAMember);
+    const auto padded = quotientRoundedUp(members, groupSize) * groupSize;
+    const auto stride = members <= lanes::mostChords ? padded : groupSize;
+    const auto rows = lanes::ChordRows::rowsFor(dimension_);
+    Level level{members, stride, std::vector<double>(padded * rows, 0)};
+    for (std::size_t m = 0; m < padded; ++m) {
+        double* const column = &level.numbers[m / stride * rows * stride + m % stride];
+        if (m >= members) {
+            *column = beyondAll;
             continue;
         }
-        const auto first = m * piecesAMember;
-        const auto after = std::min(first + piecesAMember, pieces.size());
-        Chord chord(pieces[first].bezierPoint(0), pieces[after - 1].bezierPoint(pieces.degree()));
-        for (auto i = first; i < after; ++i) {
-            for (int k = 0; k <= pieces.degree(); ++k) {
-                chord.widenTo(pieces[i].bezierPoint(k));
-            }
-        }
+        const auto first = m * numbersAMember;
+        const auto count = std::min(numbersAMember, places.size() - first);
+        const Chord chord(places.subspan(first, count), dimension_);
         for (std::size_t c = 0; c < dimension_; ++c) {
-            column[c * groupSize] = chord.start[static_cast<int>(c)];
-            column[(dimension_ + c) * groupSize] = chord.way[static_cast<int>(c)];
+            column[c * stride] = chord.start()[static_cast<int>(c)];
+            column[(dimension_ + c) * stride] = chord.way()[static_cast<int>(c)];
         }
-        column[2 * dimension_ * groupSize] = chord.overLength2;
+        column[2 * dimension_ * stride] = chord.overLength2();
         // Positions are rounded, and so is the radius.
-        *radius = chord.radius * (1 + 8 * epsilon) + 64 * epsilon * farthest_;
+        column[(rows - 1) * stride] = chord.radius() * (1 + 8 * epsilon) + 64 * epsilon * farthest_;
     }
     levels_.push_back(std::move(level));
-}
-
-namespace {
-
-constexpr auto size = ThickChords::groupSize;
-
-Two load(const double* from) {
-    return Two{from[0], from[1]};
-}
-
-/// Squared distances of a place from 16 chords. `numbers` are those of a group.
-template <std::size_t dimension>
-void squaresTo(const double* numbers, const Point& place, std::array<double, size>& squares) {
-    const double* const starts = numbers;
-    const double* const ways = starts + dimension * size;
-    const double* const overLength2 = ways + dimension * size;
-    constexpr Two none = {}, all = {1, 1};
-    for (std::size_t m = 0; m < size; m += 2) {
-        std::array<Two, dimension> off, way;
-        Two along = {};
-        for (std::size_t c = 0; c < dimension; ++c) {
-            off[c] = place[static_cast<int>(c)] - load(starts + c * size + m);
-            way[c] = load(ways + c * size + m);
-            along += off[c] * way[c];
-        }
-        along *= load(overLength2 + m);
-        along = along > none ? along : none;
-        along = along < all ? along : all;
-        Two sum = {};
-        for (std::size_t c = 0; c < dimension; ++c) {
-            const Two rest = off[c] - along * way[c];
-            sum += rest * rest;
-        }
-        squares[m] = sum[0];
-        squares[m + 1] = sum[1];
-    }
-}
-
-/// The same in any dimension.
-void squaresTo(const double* numbers, const Point& place, std::array<double, size>& squares) {
-    const auto dimension = static_cast<std::size_t>(place.dimension());
-    const double* const starts = numbers;
-    const double* const ways = starts + dimension * size;
-    const double* const overLength2 = ways + dimension * size;
-    for (std::size_t m = 0; m < size; ++m) {
-        double along = 0;
-        for (std::size_t c = 0; c < dimension; ++c) {
-            along += (place[static_cast<int>(c)] - starts[c * size + m]) * ways[c * size + m];
-        }
-        along = std::clamp(along * overLength2[m], 0.0, 1.0);
-        squares[m] = 0;
-        for (std::size_t c = 0; c < dimension; ++c) {
-            const double off =
-                place[static_cast<int>(c)] - starts[c * size + m] - along * ways[c * size + m];
-            squares[m] += off * off;
-        }
-    }
-}
-
-} // namespace
-
-std::array<double, size> ThickChords::distances(std::size_t level, std::size_t group,
-                                                const Point& place) const {
-    const double* const numbers = &levels_[level].numbers[group * rows() * size];
-    const double* const radius = numbers + (rows() - 1) * size;
-    std::array<double, size> distances;
-    switch (dimension_) {
-    case 2: squaresTo<2>(numbers, place, distances); break;
-    case 3: squaresTo<3>(numbers, place, distances); break;
-    default: squaresTo(numbers, place, distances);
-    }
-    double largest = 0;
-    for (const double x : place.coordinates()) {
-        largest = std::max(largest, std::abs(x));
-    }
-    takeRoots(distances);
-    const double rounding = 16 * epsilon * largest;
-    for (std::size_t m = 0; m < size; m += 2) {
-        constexpr Two none = {};
-        const Two bound = load(&distances[m]) * (1 - 8 * epsilon) - rounding - load(radius + m);
-        const Two positive = bound > none ? bound : none;
-        distances[m] = positive[0];
-        distances[m + 1] = positive[1];
-    }
-    return distances;
 }
 
 } // namespace splineloft
