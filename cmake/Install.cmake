@@ -8,7 +8,8 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/splineloft)
 
 # What a user may include: what splineloft.h names, and what that needs. How families blend, how
 # searches search and how JSON is written is our own affair.
-set(private families|lanes|arrangement|json_tape|json_text|value_reader|handling_json|two|scale|rounded|natural_slopes|arcs)
+set(private families|lanes|arrangement|json_tape|json_text|value_reader|handling_json)
+string(APPEND private |take_roots|scale|rounded|natural_slopes|arcs)
 string(APPEND private |corners|fit|knotted|proposers|change/shape|trial|branch_points|length_chart)
 string(APPEND private |length_walk|nearest_any|nearest_cubic|nearest_search|quadrature|speed|thick_chords)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${headers}

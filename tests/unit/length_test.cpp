@@ -4,6 +4,7 @@
 #include "core/spline/measure/sample.h"
 #include "tests/property/hard_pieces.h"
 #include "tests/property/random_curves.h"
+#include "tests/unit/random_pieces.h"
 
 #include <chrono>
 #include <cmath>
@@ -236,6 +237,28 @@ double simpson(const Pieces& pieces, Spot from, Spot to) {
         }
     }
     return sum;
+}
+
+/// Many spots, which charts find, against single ones, which Newton's method finds.
+TEST(Length, hasTheSameSpotsManyOrOneByOneOnEveryInstructionSet) {
+    const Pieces pieces = test::randomPieces(3, 2, Form::polynomial, test::evenKnots(5));
+    const ArcLength lengths(pieces);
+    test::onEveryInstructionSet([&](const std::string& instructions) {
+        for (const std::size_t count : {20u, 100u, 333u, 1000u}) {
+            std::vector<double> asked;
+            for (std::size_t i = 0; i <= count; ++i) {
+                asked.push_back(lengths.total() * static_cast<double>(i) /
+                                static_cast<double>(count));
+            }
+            const auto spots = lengths.spotsAt(asked);
+            for (std::size_t i = 0; i <= count; ++i) {
+                ASSERT_NEAR(lengths.upTo(spots[i]), asked[i], 4e-15 * lengths.total())
+                    << instructions << ": spot " << i << " of " << count;
+                ASSERT_NEAR(lengths.upTo(lengths.spotAt(asked[i])), asked[i],
+                            4e-15 * lengths.total());
+            }
+        }
+    });
 }
 
 TEST(Length, evenSpacingIsEvenToOnePartInABillion) {

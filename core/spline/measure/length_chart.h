@@ -2,11 +2,9 @@
 // many spots are found quickly.
 #pragma once
 
-#include "core/spline/algebra/two.h"
+#include "core/spline/fast/lanes/chart_lanes.h"
 #include "core/spline/measure/quadrature.h"
 
-#include <array>
-#include <cstddef>
 #include <span>
 
 namespace splineloft {
@@ -27,22 +25,14 @@ class LengthChart {
     bool isInvertible() const { return invertible_; }
 
     /// The values of x at which the given lengths are reached, which replace them.
-    void invert(std::span<double> lengths) const;
+    void invert(std::span<double> lengths) const {
+        lanes::invertLengths(series_, lengths.data(), lengths.size());
+    }
 
   private:
-    static constexpr std::size_t block = 6; // found together
-    static constexpr std::size_t lanes = block / 2;
-    using Lanes = std::array<Two, lanes>;
-
     void prepareStart();
-    void invertBlock(std::array<double, block>& lengths) const;
-    void evaluate(const Lanes& x, Lanes& length, Lanes& speed) const;
 
-    std::array<double, gauss::count + 1> lengths_{}; // powers of x
-    std::array<double, gauss::count> speeds_{};      // powers of x
-    std::array<double, 6> start_{};                  // divided differences
-    double middle_ = 0;                              // length at x = 0
-    double length_ = 0;
+    lanes::LengthSeries series_;
     bool invertible_ = false;
 };
 

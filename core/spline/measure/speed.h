@@ -1,7 +1,7 @@
 // The speed |P'(u)| along one piece, as quadrature samples it.
 #pragma once
 
-#include "core/spline/algebra/two.h"
+#include "core/spline/algebra/take_roots.h"
 #include "core/spline/measure/branch_points.h"
 #include "core/spline/measure/quadrature.h"
 #include "core/spline/piece.h"

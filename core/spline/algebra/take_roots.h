@@ -1,4 +1,4 @@
-// Several numbers by one instruction, on any processor that gcc or clang know.
+// Square roots, several by one instruction.
 #pragma once
 
 #include <array>
@@ -10,9 +10,6 @@
 #endif
 
 namespace splineloft {
-
-/// Two numbers that one instruction works on.
-using Two __attribute__((vector_size(16))) = double;
 
 /// Takes the square root of each. Written out, because compilers keep errno and therefore take
 /// roots one by one.
