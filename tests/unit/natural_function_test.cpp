@@ -2,6 +2,7 @@
 #include "core/spline/fast/natural_function.h"
 
 #include "core/spline/families/tridiagonal.h"
+#include "tests/unit/random_pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -183,30 +184,55 @@ TEST(NaturalFunction, bendsLeastOfAll) {
     }
 }
 
-TEST(NaturalFunction, agreesWithALongDoubleSolve) {
-    for (const std::size_t count : {2u, 5u, 700u, 1000u, 10'000u, 100'000u}) {
+/// Values at `places`, many at once and one by one, are those of a solution in long double.
+void expectValues(const NaturalFunction& function, const Values& x, const Values& y,
+                  const std::vector<long double>& slopes, const Values& places) {
+    Values values(places.size());
+    function.evaluate(places, values);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const double at = places[k];
+        EXPECT_EQ(values[k], function(at)) << "one by one, at " << at;
+        if (at < 0) {
+            continue;
+        }
+        const auto i = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin()) - 1;
+        const long double h = static_cast<long double>(x[i + 1]) - x[i];
+        const long double u = (at - static_cast<long double>(x[i])) / h;
+        const long double rise = static_cast<long double>(y[i + 1]) - y[i];
+        const long double c = 3 * rise - h * (2 * slopes[i] + slopes[i + 1]);
+        const long double d = h * (slopes[i] + slopes[i + 1]) - 2 * rise;
+        const long double wanted = y[i] + u * (h * slopes[i] + u * (c + u * d));
+        EXPECT_NEAR(values[k], static_cast<double>(wanted), 1e-13) << "at " << at;
+    }
+}
+
+TEST(NaturalFunction, agreesWithALongDoubleSolveOnEveryInstructionSet) {
+    for (const std::size_t count : {2u, 3u, 5u, 8u, 9u, 17u, 700u, 1000u, 10'000u, 100'000u}) {
         const Values x = rising(count, 0.1, 1, count);
         const Values y = scattered(count, 1, count + 1);
-        const NaturalFunction function(x, y);
         const auto slopes = preciseSlopes(x, y);
         const Values places = scaled(scattered(2000, 0.5, 7), x.back());
-        Values values(places.size());
-        function.evaluate(places, values);
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            const double at = places[k];
-            EXPECT_EQ(values[k], function(at)) << "one by one, at " << at;
-            if (at < 0) {
-                continue;
-            }
-            const auto i =
-                static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin()) - 1;
-            const long double h = static_cast<long double>(x[i + 1]) - x[i];
-            const long double u = (at - static_cast<long double>(x[i])) / h;
-            const long double rise = static_cast<long double>(y[i + 1]) - y[i];
-            const long double c = 3 * rise - h * (2 * slopes[i] + slopes[i + 1]);
-            const long double d = h * (slopes[i] + slopes[i + 1]) - 2 * rise;
-            const long double wanted = y[i] + u * (h * slopes[i] + u * (c + u * d));
-            EXPECT_NEAR(values[k], static_cast<double>(wanted), 1e-13) << count << ", " << at;
+        test::onEveryInstructionSet([&](const std::string& instructions) {
+            SCOPED_TRACE(instructions + ", " + std::to_string(count) + " points");
+            expectValues(NaturalFunction(x, y), x, y, slopes, places);
+        });
+    }
+}
+
+/// The table of places is written in one go: none of its entries may be left from other points.
+TEST(NaturalFunction, findsTheRightPieceAfterOtherPoints) {
+    const std::size_t count = 200;
+    NaturalFunction function(scaled(rising(count, 1e-6, 1, 3), 5), scattered(count, 1, 4));
+    for (const double power : {1.0, 3.0, 0.2, 20.0}) {
+        Values x(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = std::pow(static_cast<double>(i) / static_cast<double>(count - 1), power) +
+                   1e-9 * static_cast<double>(i);
+        }
+        const Values y = scattered(count, 1, 9);
+        function.refit(x, y);
+        for (std::size_t i = 0; i < count; ++i) {
+            ASSERT_NEAR(function(x[i]), y[i], 1e-12) << "point " << i << ", power " << power;
         }
     }
 }

@@ -1,5 +1,6 @@
 #include "core/spline/fast/natural_function.h"
 
+#include "core/spline/fast/lanes/natural_lanes.h"
 #include "core/spline/fast/natural_slopes.h"
 
 #include <algorithm>
@@ -47,35 +48,20 @@ void requireFinite(char name, std::span<const double> values) {
     }
 }
 
-/// Whether all values rise, a finite way each: differences then have a sign bit one way round and
-/// none the other, which is true of nothing else.
-bool allRise(std::span<const double> x) {
-    std::uint64_t signs = ~std::uint64_t{0};
-    for (std::size_t i = 1; i < x.size(); ++i) {
-        signs &= std::bit_cast<std::uint64_t>(x[i - 1] - x[i]) &
-                 ~std::bit_cast<std::uint64_t>(x[i] - x[i - 1]);
-    }
-    return signs >> 63 != 0;
-}
-
 /// Slopes on intervals beyond this ratio could not be told apart, or overflow.
 constexpr double mostUneven = 1e100;
 
-void requireComparable(std::span<const double> x) {
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 1; i < x.size(); ++i) {
-        least = std::min(least, x[i] - x[i - 1]);
-    }
+void requireComparable(std::span<const double> x, double leastInterval) {
     const double whole = x.back() / 2 - x.front() / 2;
-    if (least < whole / mostUneven) {
+    if (leastInterval < whole / mostUneven) {
         throw std::invalid_argument("two x are 10^100 times closer than the first and the "
                                     "last; right would be values not so far apart");
     }
 }
 
-void requireRising(std::span<const double> x) {
-    if (allRise(x) && std::isfinite(x.front()) && std::isfinite(x.back())) {
-        requireComparable(x);
+void requireRising(std::span<const double> x, const lanes::Survey& survey) {
+    if (survey.rises && std::isfinite(x.front()) && std::isfinite(x.back())) {
+        requireComparable(x, survey.leastInterval);
         return;
     }
     requireFinite('x', x);
@@ -86,20 +72,6 @@ void requireRising(std::span<const double> x) {
                                         "; right would be rising values");
         }
     }
-}
-
-/// Whether any of the values is `huge` or larger in size, or not a number: of those, adding the
-/// bias to the exponent's bits carries into the sign's. With whole numbers, as compilers then take
-/// several values at once.
-bool anyHuge(std::span<const double> values) {
-    constexpr std::uint64_t exponentBits = std::uint64_t{0x7ff} << 52;
-    constexpr std::uint64_t bias =
-        (std::uint64_t{0x800} << 52) - std::bit_cast<std::uint64_t>(huge);
-    std::uint64_t found = 0;
-    for (const double value : values) {
-        found |= (std::bit_cast<std::uint64_t>(value) & exponentBits) + bias;
-    }
-    return found >> 63 != 0;
 }
 
 bool allTiny(std::span<const double> values) {
@@ -119,20 +91,21 @@ NaturalFunction::NaturalFunction(std::span<const double> x, std::span<const doub
 
 void NaturalFunction::refit(std::span<const double> x, std::span<const double> y) {
     requireSizes(x.size(), y.size());
-    requireRising(x);
-    if (anyHuge(y)) {
+    const auto survey = lanes::surveyOf(x.data(), y.data(), x.size(), huge);
+    requireRising(x, survey);
+    if (!survey.isModest) {
         requireFinite('y', y);
     }
     size_ = x.size();
     values_.resize(3 * size_);
     std::ranges::copy(x, values_.begin());
     std::ranges::copy(y, values_.begin() + static_cast<std::ptrdiff_t>(size_));
-    normalize();
+    normalize(survey.isModest);
     solveNaturalSlopes(xs(), ys(), std::span(values_).last(size_));
     fillBuckets();
 }
 
-void NaturalFunction::normalize() {
+void NaturalFunction::normalize(bool isModest) {
     xExponent_ = yExponent_ = 0;
     xFactor_ = yFactor_ = 1;
     const double whole = xs().back() / 2 - xs().front() / 2;
@@ -143,7 +116,7 @@ void NaturalFunction::normalize() {
             value *= xFactor_;
         }
     }
-    if (anyHuge(ys()) || allTiny(ys())) {
+    if (!isModest || allTiny(ys())) {
         const auto bySize = [](double a, double b) { return std::abs(a) < std::abs(b); };
         yExponent_ = exponentFor(std::abs(*std::ranges::max_element(ys(), bySize)));
         yFactor_ = std::ldexp(1, yExponent_);
@@ -152,6 +125,9 @@ void NaturalFunction::normalize() {
         }
     }
 }
+
+// Of so many buckets beside each other, the first entries are written at once.
+constexpr std::size_t ahead = 4;
 
 /// Never falls as x rises, however it is rounded; so what is in a bucket is between all that is in
 /// earlier and in later ones.
@@ -163,20 +139,24 @@ std::size_t NaturalFunction::bucketOf(double x) const {
 void NaturalFunction::fillBuckets() {
     const std::size_t pieces = size() - 1;
     bucketsPerUnit_ = static_cast<double>(pieces) / (xs().back() - xs().front());
-    lastBefore_.assign(pieces + 2, 0); // the end may be rounded up into another
+    // The end may be rounded up into another.
+    lastBefore_.resize(pieces + 2 + ahead);
     auto* const table = lastBefore_.data();
     const auto* const x = values_.data();
-    for (std::size_t i = 1; i < pieces; ++i) {
-        table[bucketOf(x[i]) + 1] = static_cast<std::uint32_t>(i);
+    std::fill_n(table, ahead + 1, 0);
+    std::size_t last = 0;                // bucket
+    std::uint32_t here = 0, fullest = 0; // points in it, and in the fullest one
+    for (std::uint32_t i = 1; i < pieces; ++i) {
+        const auto bucket = bucketOf(x[i]);
+        here = (bucket == last ? here : 0) + 1;
+        fullest = std::max(fullest, here);
+        if (bucket > last + ahead) {
+            std::fill(table + last + ahead + 1, table + bucket + 1, i - 1);
+        }
+        std::fill_n(table + bucket + 1, ahead, i);
+        last = bucket;
     }
-    std::uint32_t last = 0;
-    std::uint32_t fullest = 0;
-    for (auto& entry : lastBefore_) {
-        const std::uint32_t next = std::max(last, entry);
-        fullest = std::max(fullest, next - last);
-        entry = next;
-        last = next;
-    }
+    std::fill(table + last + 1, table + lastBefore_.size(), static_cast<std::uint32_t>(pieces - 1));
     firstStep_ = std::bit_floor(fullest);
 }
 

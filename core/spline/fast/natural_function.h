@@ -55,7 +55,7 @@ class NaturalFunction {
     std::span<const double> ys() const { return {values_.data() + size_, size_}; }
     std::span<const double> slopes() const { return {values_.data() + 2 * size_, size_}; }
 
-    void normalize();
+    void normalize(bool isModest);
     void fillBuckets();
     std::size_t bucketOf(double x) const;
     std::size_t towards(double x, std::size_t piece, std::size_t step) const;

@@ -1,6 +1,7 @@
 #include "core/spline/fast/natural_slopes.h"
 
 #include "core/spline/families/tridiagonal.h"
+#include "core/spline/fast/lanes/natural_lanes.h"
 
 #include <cstddef>
 #include <functional>
@@ -27,8 +28,8 @@ class SlopeRows {
         const bool atEnd = last == x_.size();
         const std::size_t begin = atStart ? 1 : 0;
         const std::size_t end = atEnd ? count : count + 1;
-        measure(x_.data() + first + begin - 1, y_.data() + first + begin - 1, end - begin,
-                intervals_ + begin, chords_ + begin);
+        lanes::measureChords(x_.data() + first + begin - 1, y_.data() + first + begin - 1,
+                             end - begin, intervals_ + begin, chords_ + begin);
         if (atStart) {
             intervals_[0] = intervals_[1];
             chords_[0] = 0;
@@ -37,7 +38,7 @@ class SlopeRows {
             intervals_[count] = intervals_[count - 1];
             chords_[count] = 0;
         }
-        combine(intervals_, chords_, count, diagonal_, right_);
+        lanes::formSlopeRows(intervals_, chords_, count, diagonal_, right_);
         if (atStart) {
             diagonal_[0] = 2 * intervals_[0];
         }
@@ -56,22 +57,6 @@ class SlopeRows {
             chords_ = intervals_ + count + 1;
             diagonal_ = chords_ + count + 1;
             right_ = diagonal_ + count;
-        }
-    }
-
-    static void measure(const double* x, const double* y, std::size_t pieces, double* intervals,
-                        double* chords) {
-        for (std::size_t k = 0; k < pieces; ++k) {
-            intervals[k] = x[k + 1] - x[k];
-            chords[k] = (y[k + 1] - y[k]) / (x[k + 1] - x[k]);
-        }
-    }
-
-    static void combine(const double* intervals, const double* chords, std::size_t rows,
-                        double* diagonal, double* right) {
-        for (std::size_t k = 0; k < rows; ++k) {
-            diagonal[k] = 2 * (intervals[k] + intervals[k + 1]);
-            right[k] = 3 * (intervals[k + 1] * chords[k] + intervals[k] * chords[k + 1]);
         }
     }
 
