@@ -2,58 +2,53 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 namespace splineloft {
 namespace {
 
-using Powers = std::array<double, gauss::count>;
+using lanes::EightByEight;
 
 constexpr std::size_t half = gauss::count / 2;
-using Square = std::array<std::array<double, half>, half>;
+static_assert(gauss::count == lanes::LengthSeries::count &&
+              half == std::tuple_size_v<lanes::Eight>);
 
 /// Powers of x in the Legendre polynomials of even order (parity 0), which has even powers only, or
-/// of odd order (parity 1): row i belongs to order 2 i + parity, column j to x^(2 j + parity).
-constexpr Square legendrePowers(std::size_t parity) {
-    std::array<Powers, gauss::count> rows{};
-    rows[0][0] = 1;
-    rows[1][1] = 1;
+/// of odd order (parity 1): column i belongs to order 2 i + parity, row j to x^(2 j + parity).
+constexpr EightByEight legendrePowers(std::size_t parity) {
+    std::array<std::array<double, gauss::count>, gauss::count> orders{};
+    orders[0][0] = 1;
+    orders[1][1] = 1;
     for (std::size_t k = 1; k + 1 < gauss::count; ++k) {
         const auto order = static_cast<double>(k);
         for (std::size_t j = 0; j <= k + 1; ++j) {
-            const double raised = j > 0 ? (2 * order + 1) * rows[k][j - 1] : 0;
-            rows[k + 1][j] = (raised - order * rows[k - 1][j]) / (order + 1);
+            const double raised = j > 0 ? (2 * order + 1) * orders[k][j - 1] : 0;
+            orders[k + 1][j] = (raised - order * orders[k - 1][j]) / (order + 1);
         }
     }
-    Square result{};
+    EightByEight result{};
     for (std::size_t i = 0; i < half; ++i) {
         for (std::size_t j = 0; j < half; ++j) {
-            result[i][j] = rows[2 * i + parity][2 * j + parity];
+            result[i][j] = orders[2 * i + parity][2 * j + parity];
         }
     }
     return result;
 }
 
-constexpr Square evenPowers = legendrePowers(0);
-constexpr Square oddPowers = legendrePowers(1);
-
-template <std::size_t... k>
-Powers powersOf(const gauss::Spectrum& spectrum, std::index_sequence<k...>) {
-    const std::array coefficients = {spectrum.coefficient<k>()...};
-    std::array<double, half> even{}, odd{};
-    for (std::size_t i = 0; i < half; ++i) {
-        for (std::size_t j = 0; j < half; ++j) {
-            even[j] += coefficients[2 * i] * evenPowers[i][j];
-            odd[j] += coefficients[2 * i + 1] * oddPowers[i][j];
+/// Of the pairs, one a column, the Legendre coefficients of the orders 2 i + parity in row i.
+constexpr EightByEight legendreCoefficients(std::size_t parity) {
+    EightByEight result{};
+    for (std::size_t pair = 0; pair < gauss::pairs; ++pair) {
+        for (std::size_t i = 0; i < half; ++i) {
+            result[pair][i] = gauss::legendre[2 * i + parity][pair];
         }
     }
-    Powers powers;
-    for (std::size_t j = 0; j < half; ++j) {
-        powers[2 * j] = even[j];
-        powers[2 * j + 1] = odd[j];
-    }
-    return powers;
+    return result;
 }
+
+constexpr lanes::PowerTables tables = {legendreCoefficients(0), legendrePowers(0),
+                                       legendreCoefficients(1), legendrePowers(1)};
 
 /// Values of a polynomial at -1 and 1.
 template <std::size_t n> std::pair<double, double> endsOf(const std::array<double, n>& powers) {
@@ -67,15 +62,10 @@ template <std::size_t n> std::pair<double, double> endsOf(const std::array<doubl
 } // namespace
 
 LengthChart::LengthChart(const gauss::Samples& speeds, const gauss::Spectrum& spectrum) {
-    static_assert(lanes::LengthSeries::count == gauss::count);
-    auto& [lengths, rates, start, middle, whole] = series_;
-    rates = powersOf(spectrum, std::make_index_sequence<gauss::count>());
-    for (std::size_t j = 0; j < gauss::count; ++j) {
-        lengths[j + 1] = rates[j] / static_cast<double>(j + 1);
-    }
-    middle = -endsOf(lengths).first;
-    lengths[0] = middle;
-    whole = gauss::integralOf(speeds);
+    lanes::integrateSpeeds(tables, spectrum.sums(), spectrum.differences(), series_);
+    series_.middle = -endsOf(series_.lengths).first;
+    series_.lengths[0] = series_.middle;
+    series_.whole = gauss::integralOf(speeds);
     prepareStart();
 }
 

@@ -92,6 +92,10 @@ class Spectrum {
         }
     }
 
+    /// Of what was sampled, after + before and after - before.
+    const Pairs& sums() const { return sums_; }
+    const Pairs& differences() const { return differences_; }
+
     /// Coefficient k of the Legendre series, k from 0 to 15.
     template <std::size_t k> double coefficient() const {
         const auto& row = legendre[k];

@@ -14,6 +14,43 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::ScalableTag<double>;
 using Vector = hn::Vec<Doubles>;
 
+using UpToEight = hn::CappedTag<double, 8>;
+
+/// `second` times (`first` times `in`).
+HWY_INLINE void multiplyTwice(const EightByEight& first, const EightByEight& second,
+                              const Eight& in, Eight& out) {
+    const UpToEight d;
+    Eight between;
+    for (std::size_t row = 0; row < in.size(); row += hn::Lanes(d)) {
+        auto sum = hn::Mul(hn::LoadU(d, &first[0][row]), hn::Set(d, in[0]));
+        for (std::size_t column = 1; column < in.size(); ++column) {
+            sum = hn::MulAdd(hn::LoadU(d, &first[column][row]), hn::Set(d, in[column]), sum);
+        }
+        hn::StoreU(sum, d, &between[row]);
+    }
+    for (std::size_t row = 0; row < in.size(); row += hn::Lanes(d)) {
+        auto sum = hn::Mul(hn::LoadU(d, &second[0][row]), hn::Set(d, between[0]));
+        for (std::size_t column = 1; column < in.size(); ++column) {
+            sum = hn::MulAdd(hn::LoadU(d, &second[column][row]), hn::Set(d, between[column]), sum);
+        }
+        hn::StoreU(sum, d, &out[row]);
+    }
+}
+
+void integrate(const PowerTables& tables, const Eight& sums, const Eight& differences,
+               LengthSeries& series) {
+    Eight even, odd;
+    multiplyTwice(tables.evenCoefficients, tables.evenPowers, sums, even);
+    multiplyTwice(tables.oddCoefficients, tables.oddPowers, differences, odd);
+    for (std::size_t j = 0; j < even.size(); ++j) {
+        const auto order = static_cast<double>(2 * j);
+        series.speeds[2 * j] = even[j];
+        series.speeds[2 * j + 1] = odd[j];
+        series.lengths[2 * j + 1] = even[j] / (order + 1);
+        series.lengths[2 * j + 2] = odd[j] / (order + 2);
+    }
+}
+
 HWY_INLINE Vector bounded(Vector x) {
     const Doubles d;
     return hn::Min(hn::Max(x, hn::Set(d, -1.0)), hn::Set(d, 1.0));
@@ -137,7 +174,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace splineloft::lanes {
 
+HWY_EXPORT(integrate);
 HWY_EXPORT(invertMany);
+
+void integrateSpeeds(const PowerTables& tables, const Eight& sums, const Eight& differences,
+                     LengthSeries& series) {
+    HWY_DYNAMIC_DISPATCH(integrate)(tables, sums, differences, series);
+}
 
 void invertLengths(const LengthSeries& series, double* lengths, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(invertMany)(series, lengths, count);
