@@ -125,10 +125,10 @@ TEST(Nearest, withinCountsOnlyWhatIsNearer) {
     EXPECT_TRUE(nearestTo(line, {5, 3}, 3.001));
     EXPECT_FALSE(nearestTo(line, {5, 3}, 3));
     EXPECT_FALSE(nearestTo(line, {5, 3}, 0));
-    EXPECT_FALSE(nearestTo(line, {5, 3}, -1));
+    EXPECT_FALSE(nearestTo(line, {5, 3}, -10)) << "not as far as its size";
     EXPECT_TRUE(index.nearest({5, 3}, 3.001));
     EXPECT_FALSE(index.nearest({5, 3}, 3));
-    EXPECT_FALSE(index.nearest({5, 3}, -1));
+    EXPECT_FALSE(index.nearest({5, 3}, -10));
 }
 
 TEST(Nearest, ofNoPlaceIsNothing) {

@@ -112,7 +112,7 @@ template <class Search> class TreeSearch {
 } // namespace
 
 std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place, double within) {
-    if (pieces.empty() || !isFinite(place)) {
+    if (pieces.empty() || !isFinite(place) || !(within >= 0)) {
         return std::nullopt;
     }
     return withSearch(pieces, largestOf(pieces.bezier()), place, within, [&](auto search) {
@@ -126,7 +126,8 @@ NearestIndex::NearestIndex(const Pieces& pieces)
 
 std::optional<Nearest> NearestIndex::nearest(const Point& place, double within) const {
     const double size = std::max(chords_->farthest(), largestOf(place.coordinates()));
-    if (chords_->levels() == 0 || !(size > nearest::leastQuick && size < nearest::mostQuick)) {
+    const bool quick = size > nearest::leastQuick && size < nearest::mostQuick;
+    if (chords_->levels() == 0 || !quick || !(within >= 0)) {
         return nearestTo(*pieces_, place, within);
     }
     return withSearch(*pieces_, chords_->farthest(), place, within, [&](auto search) {

@@ -17,11 +17,11 @@ struct Nearest {
     double distance = 0;
 };
 
-/// The nearest spot of all pieces, if it is nearer than `within`; nothing where there is no piece.
-/// Exact up to the rounding of positions, that is, to about 1e-15 of the farthest coordinate of any
-/// piece; of equally near spots, the first one found. Takes time
-/// for every piece, which is passed over where its hull lies farther away than the best spot so
-/// far: for one question to a curve. For many, make a NearestIndex.
+/// The nearest spot of all pieces, if it is nearer than `within`; nothing where there is no piece,
+/// and nothing is nearer than a negative distance. Exact up to the rounding of positions, that is,
+/// to about 1e-15 of the farthest coordinate of any piece; of equally near spots, the first one
+/// found. Takes time for every piece, which is passed over where its hull lies farther away than
+/// the best spot so far: for one question to a curve. For many, make a NearestIndex.
 std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place,
                                  double within = std::numeric_limits<double>::infinity());
 
