@@ -11,6 +11,8 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/splineloft)
 set(private families|lanes|arrangement|json_tape|json_text|value_reader|handling_json)
 string(APPEND private |take_roots|scale|rounded|natural_slopes|arcs)
 string(APPEND private |corners|fit|knotted|proposers|change/shape|trial|branch_points|length_chart)
+string(APPEND private |svg_arc|svg_scanner|number_lines|excerpt|heal|reversal|tangents|tidy)
+string(APPEND private |document/change)
 string(APPEND private |length_walk|nearest_any|nearest_cubic|nearest_search|quadrature|speed|thick_chords)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${headers}
         FILES_MATCHING PATTERN "*.h" REGEX "/(${private})(\\.h|$)" EXCLUDE)

@@ -5,12 +5,17 @@
 //     const auto place = pieces.position({0, 0.25});            // piece 0, a quarter of the way
 #pragma once
 
+#include "core/document/curve_edits.h"
 #include "core/document/document.h"
 #include "core/document/edits.h"
+#include "core/document/handle_modes.h"
 #include "core/document/history.h"
+#include "core/document/plane_map.h"
+#include "core/formats/clipboard.h"
 #include "core/formats/document_json.h"
 #include "core/formats/file.h"
 #include "core/formats/samples.h"
+#include "core/formats/svg_path.h"
 #include "core/spline/algebra/bernstein.h"
 #include "core/spline/algebra/roots.h"
 #include "core/spline/catalog.h"

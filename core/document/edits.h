@@ -12,8 +12,8 @@ namespace splineloft {
 
 /// Moves control points, and tips of tangents, by `delta`; coordinates that a curve lacks are left
 /// out. Sums are rounded to 14 digits, so that 0.1 moved by 0.2 lies at 0.3. In a Bézier spline an
-/// anchor takes its handles with it, and a handle turns its partner along where the two were in
-/// line.
+/// anchor takes its handles with it, and a handle its partner as the mode of their anchor says
+/// (handle_modes.h).
 Document movePoints(const Document& document, std::span<const PointId> ids, const Point& delta);
 
 /// Maps two coordinates of control points, numbers `across` and `up` (the last one where a curve
@@ -57,7 +57,8 @@ Document deletePoints(const Document& document, std::span<const PointId> ids);
 /// stays as near to where it was as it can; never farther than it would be without. In a Bézier
 /// spline the two handles of the merged piece change their lengths, in a Hermite curve the
 /// neighbouring tangents change, elsewhere a few control points on either side move. The ends of an
-/// open curve stay; beyond points deleted at an end there is nothing to heal.
+/// open curve stay; beyond points deleted at an end there is nothing to heal. Curves of more than
+/// 1000 control points are not healed.
 Document deleteAndHeal(const Document& document, std::span<const PointId> ids);
 
 /// Draws the same points as another family. Parameters start at their neutral values; closing

@@ -8,6 +8,9 @@ namespace splineloft {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+// An arc whose chord is this part of its radius strays from it by an eighth of that, which no
+// coordinate shows.
+constexpr double flat = 1e-9;
 
 /// An arc as its ellipse gives it (F.6.5).
 struct Ellipse {
@@ -55,6 +58,14 @@ Ellipse ellipseOf(const SvgArc& arc) {
 std::vector<CubicTo> cubicsOf(const SvgArc& arc) {
     if (arc.start == arc.end) {
         return {};
+    }
+    const double chord = std::hypot(arc.end.x - arc.start.x, arc.end.y - arc.start.y);
+    if (chord < flat * std::min(std::abs(arc.radiusX), std::abs(arc.radiusY)) && !arc.isLarge) {
+        const auto at = [&](double part) {
+            return PlanePlace{std::lerp(arc.start.x, arc.end.x, part),
+                              std::lerp(arc.start.y, arc.end.y, part)};
+        };
+        return {{at(1.0 / 3), at(2.0 / 3), arc.end}};
     }
     const auto [map, startAngle, turn] = ellipseOf(arc);
     const auto quarters = std::max(1.0, std::ceil(std::abs(turn) / (pi / 2) - 1e-9));
