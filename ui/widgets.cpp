@@ -25,28 +25,6 @@ std::string fitting(double value, float width) {
     return withTrueMinus(digits);
 }
 
-/// The text with line ends put in at spaces. (Dear ImGui would also break within 3.1.)
-std::string brokenAtSpaces(const std::string& text, float width) {
-    std::string broken;
-    std::size_t lineStart = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto end = std::min(text.find_first_of(" \n", at), text.size());
-        const auto word = text.substr(at, end - at);
-        const auto line = broken.substr(lineStart) + word;
-        if (broken.size() > lineStart && ImGui::CalcTextSize(line.c_str()).x > width) {
-            broken.back() = '\n'; // the space before the word
-            lineStart = broken.size();
-        }
-        broken += word;
-        if (end < text.size()) {
-            broken += text[end];
-            lineStart = text[end] == '\n' ? broken.size() : lineStart;
-        }
-        at = end + 1;
-    }
-    return broken;
-}
-
 void drawTrack(const Parameter& parameter, double value, ImVec2 from, ImVec2 size,
                const Stage& stage, bool lively) {
     auto& list = *ImGui::GetWindowDrawList();
@@ -230,6 +208,51 @@ void chips(std::span<const Chip> row, const Stage& stage) {
     ImGui::PopFont();
 }
 
+std::string brokenAtSpaces(const std::string& text, float width) {
+    std::string broken;
+    std::size_t lineStart = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto end = std::min(text.find_first_of(" \n", at), text.size());
+        const auto word = text.substr(at, end - at);
+        const auto line = broken.substr(lineStart) + word;
+        if (broken.size() > lineStart && ImGui::CalcTextSize(line.c_str()).x > width) {
+            broken.back() = '\n'; // the space before the word
+            lineStart = broken.size();
+        }
+        broken += word;
+        if (end < text.size()) {
+            broken += text[end];
+            lineStart = text[end] == '\n' ? broken.size() : lineStart;
+        }
+        at = end + 1;
+    }
+    return broken;
+}
+
+std::string cutToFit(const std::string& text, float width) {
+    const auto fits = [width](const std::string& part) {
+        return ImGui::CalcTextSize(part.c_str()).x <= width;
+    };
+    std::string cut = text;
+    constexpr std::string_view between = " · ";
+    for (auto end = cut.rfind(between); !fits(cut) && end != cut.npos; end = cut.rfind(between)) {
+        cut.erase(end);
+    }
+    if (fits(cut)) {
+        return cut;
+    }
+    const auto endsInLetter = [&cut] {
+        return (static_cast<unsigned char>(cut.back()) & 0xc0U) == 0x80U;
+    };
+    while (!cut.empty() && !fits(cut + "…")) {
+        while (cut.size() > 1 && endsInLetter()) {
+            cut.pop_back();
+        }
+        cut.pop_back();
+    }
+    return cut + "…";
+}
+
 void quietText(const std::string& text, const Stage& stage) {
     ImGui::PushFont(font(Face::small));
     ImGui::PushStyleColor(ImGuiCol_Text, packed(stage.theme.surfaces.quiet));
@@ -239,7 +262,7 @@ void quietText(const std::string& text, const Stage& stage) {
 }
 
 void explain(const std::string& text) {
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
         ImGui::SetTooltip("%s", text.c_str());
     }
 }

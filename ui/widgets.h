@@ -48,6 +48,14 @@ bool toggle(const char* label, bool& on, const Stage& stage);
 bool quietButton(const char* label, bool pressed, const Stage& stage);
 float quietButtonWidth(const std::string& words, const Stage& stage);
 
+/// The text with line ends put in at spaces, for the font in use. (Dear ImGui would also break
+/// within 3.1.)
+std::string brokenAtSpaces(const std::string& text, float width);
+
+/// As much of a text as fits, for the font in use: whole parts between " · " where there are any,
+/// else with "…" at the end.
+std::string cutToFit(const std::string& text, float width);
+
 /// Small quiet text, wrapped.
 void quietText(const std::string& text, const Stage& stage);
 

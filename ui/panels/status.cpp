@@ -1,6 +1,7 @@
 #include "ui/canvas/hints.h"
 #include "ui/canvas/wording.h"
 #include "ui/panels/panels.h"
+#include "ui/widgets.h"
 
 #include <imgui.h>
 
@@ -32,7 +33,7 @@ std::string figures(const Session& session, double scale) {
 
 void drawStatus(const Session& session, const Stage& stage) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(14), stage.px(4)});
-    beginPanel("status", stage);
+    beginPanel("status", stage, ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     const auto& s = stage.theme.surfaces;
     const auto& notice = session.notice;
@@ -41,15 +42,13 @@ void drawStatus(const Session& session, const Stage& stage) {
     const auto right = figures(session, stage.scale);
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     const float room = static_cast<float>(stage.rect.width) - width - stage.px(48);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::PushClipRect(at, {at.x + room, at.y + stage.px(24)}, true);
     ImGui::PushStyleColor(ImGuiCol_Text, packed(!notice             ? s.quiet
                                                 : notice->isProblem ? s.warning
                                                                     : s.text));
-    ImGui::TextUnformatted(text.c_str());
+    const auto shown = cutToFit(text, room);
+    ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
-    ImGui::PopClipRect();
-    if (ImGui::CalcTextSize(text.c_str()).x > room && ImGui::IsItemHovered()) {
+    if (shown != text && ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", text.c_str());
     }
     ImGui::SameLine(static_cast<float>(stage.rect.width) - width - stage.px(14));

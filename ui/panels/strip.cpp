@@ -19,47 +19,95 @@ constexpr double weightsWidth = 190;
 constexpr double segmentsWidth = 210;
 constexpr double gap = 44;
 constexpr double leastForWeights = 560;
+constexpr double margin = 14;
+constexpr double between = 14; // the parts of the transport
+constexpr double playWidth = 86;
+constexpr double pacesWidth = 126;
+constexpr double fieldWidth = 52;
 
 /// A number that was typed in, or the old one where it was none.
 double clampedTo(double typed, double least, double most, double old) {
     return std::isfinite(typed) ? std::clamp(typed, least, most) : old;
 }
 
-/// Play and pause, pace, duration, beads.
-void drawTransport(View& view, const Stage& stage) {
-    if (ImGui::Button(view.playing ? "❚❚ Pause" : "▶ Play", {stage.px(86), 0})) {
-        view.playing = !view.playing;
+/// What of the transport there is room for; playing itself always has it.
+struct TransportParts {
+    bool paces = false, words = false, duration = false, beads = false;
+};
+
+TransportParts partsThatFit(const View& view, const Stage& stage) {
+    const auto width = [&](const char* words) {
+        return ImGui::CalcTextSize(words).x / stage.scale + 8;
+    };
+    double room = stage.rect.width / stage.scale - 2 * margin - playWidth;
+    const auto take = [&room](double wanted) {
+        room -= wanted;
+        return room >= 0;
+    };
+    TransportParts parts;
+    parts.paces = take(between + pacesWidth);
+    parts.duration = take(between + width("in") + fieldWidth + width("s"));
+    parts.beads = take(between + width("beads") + 28 + (view.layers.beads ? fieldWidth + 8 : 0));
+    parts.words = take(width("even in"));
+    return parts;
+}
+
+void drawPaces(View& view, bool words, const Stage& stage) {
+    ImGui::SameLine(0, stage.px(between));
+    if (words) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("even in");
+        ImGui::SameLine();
     }
-    explain("Plays u along the curve (Space)");
-    ImGui::SameLine(0, stage.px(14));
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("even in");
-    ImGui::SameLine();
     static constexpr std::array<std::string_view, 2> paces = {"length", "u"};
     const int pace = view.pace == Even::length ? 0 : 1;
-    if (const auto chosen = choiceOf("pace", paces, pace, stage, stage.px(126))) {
+    if (const auto chosen = choiceOf("pace", paces, pace, stage, stage.px(pacesWidth))) {
         view.pace = *chosen == 0 ? Even::length : Even::parameter;
     }
-    ImGui::SameLine(0, stage.px(14));
+}
+
+void drawDuration(View& view, const Stage& stage) {
+    ImGui::SameLine(0, stage.px(between));
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("in");
     ImGui::SameLine();
-    if (const auto seconds = numberField("##duration", view.duration, stage.px(52))) {
+    if (const auto seconds = numberField("##duration", view.duration, stage.px(fieldWidth))) {
         view.duration = clampedTo(*seconds, 0.1, 600, view.duration);
     }
     explain("Seconds from start to end");
     ImGui::SameLine();
     ImGui::TextUnformatted("s");
-    ImGui::SameLine(0, stage.px(14));
+}
+
+void drawBeads(View& view, const Stage& stage) {
+    ImGui::SameLine(0, stage.px(between));
     const float line = ImGui::GetCursorPosY();
     toggle("beads", view.layers.beads, stage);
     if (view.layers.beads) {
         ImGui::SameLine();
         ImGui::SetCursorPosY(line);
-        if (const auto count = numberField("##beads", view.beads, stage.px(52))) {
+        if (const auto count = numberField("##beads", view.beads, stage.px(fieldWidth))) {
             view.beads = static_cast<int>(clampedTo(*count, 2, 1000, view.beads));
         }
         explain("How many beads: 2 to 1000");
+    }
+}
+
+/// Play and pause, pace, duration, beads.
+void drawTransport(View& view, const Stage& stage) {
+    const auto parts = partsThatFit(view, stage);
+    if (ImGui::Button(view.playing ? "❚❚ Pause" : "▶ Play", {stage.px(playWidth), 0})) {
+        view.playing = !view.playing;
+    }
+    explain("Plays u along the curve (Space)");
+    if (parts.paces) {
+        drawPaces(view, parts.words, stage);
+    }
+    if (parts.duration) {
+        drawDuration(view, stage);
+    }
+    if (parts.beads) {
+        drawBeads(view, stage);
     }
 }
 
@@ -148,7 +196,7 @@ std::optional<StripFrames> drawStrip(const Session& session, View& view, const S
     if (stage.rect.height < (headHeight + footHeight + 40) * stage.scale) {
         return std::nullopt;
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(14), stage.px(7)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(margin), stage.px(7)});
     beginPanel("strip", stage,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);

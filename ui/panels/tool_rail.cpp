@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 namespace splineloft::ui {
@@ -22,18 +23,42 @@ constexpr std::array buttons = {
     RailButton{"≋", "view.comb"},      RailButton{"∴", "view.beads"},
     RailButton{"◎", "view.joints"},    RailButton{"▷", "motion.play", true}};
 
-void drawButton(Session& session, const RailButton& button, const Stage& stage) {
+// Design pixels.
+constexpr double usualSide = 34;
+constexpr double usualGap = 7;
+constexpr double margin = 8;
+constexpr double linesGap = 9; // around the line above a group
+
+/// Where the window is low everything comes closer together, so that no button is cut off.
+double squeeze(const Stage& stage) {
+    const auto groups = std::ranges::count(buttons, true, &RailButton::startsGroup);
+    const double wanted = static_cast<double>(buttons.size()) * (usualSide + usualGap) +
+                          static_cast<double>(groups) * (2 * linesGap + usualGap) + 2 * margin;
+    return std::min(stage.rect.height / stage.scale / wanted, 1.0);
+}
+
+void drawLine(const Stage& stage, double gap) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + stage.px(gap);
+    ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + stage.px(usualSide), y},
+                                        packed(stage.theme.surfaces.line));
+    ImGui::Dummy({0, stage.px(2 * gap)});
+}
+
+void drawButton(Session& session, const RailButton& button, double height, const Stage& stage) {
     const auto& command = commandNamed(button.command);
     const auto& s = stage.theme.surfaces;
     const bool on = command.checked && command.checked(session);
-    const float side = stage.px(34);
     ImGui::PushStyleColor(ImGuiCol_Button, packed(on ? s.accentSoft : s.panel));
     ImGui::PushStyleColor(ImGuiCol_Text, packed(on ? s.text : s.quiet));
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
-    if (ImGui::Button(button.sign, {side, side}) && command.possible(session)) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+    ImGui::BeginDisabled(!command.possible(session));
+    if (ImGui::Button(button.sign, {stage.px(usualSide), stage.px(height)})) {
         command.run(session);
     }
-    ImGui::PopStyleVar();
+    ImGui::EndDisabled();
+    ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(2);
     explain(command.name(session) +
             (command.shortcuts.empty() ? "" : "  (" + nameOf(command.shortcuts.front()) + ")"));
@@ -42,17 +67,18 @@ void drawButton(Session& session, const RailButton& button, const Stage& stage) 
 } // namespace
 
 void drawToolRail(Session& session, const Stage& stage) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(6), stage.px(8)});
-    beginPanel("tools", stage, ImGuiWindowFlags_NoScrollbar);
+    const double part = squeeze(stage);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(6), stage.px(part * margin)});
+    beginPanel("tools", stage, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, stage.px(part * usualGap)});
     for (const auto& button : buttons) {
         if (button.startsGroup) {
-            ImGui::Spacing();
-            ImGui::Separator();
-            ImGui::Spacing();
+            drawLine(stage, part * linesGap);
         }
-        drawButton(session, button, stage);
+        drawButton(session, button, part * usualSide, stage);
     }
+    ImGui::PopStyleVar();
     ImGui::End();
 }
 
