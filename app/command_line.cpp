@@ -79,6 +79,7 @@ struct Written {
         family;
     std::string spacing = "parameter";
     std::string theme = "dark";
+    bool present = false;
     bool json = false;
 };
 
@@ -118,6 +119,7 @@ DrawScreenshot screenshotIn(const Written& written) {
     }
     shot.output = written.output;
     shot.theme = written.theme;
+    shot.present = written.present;
     if (!written.show.empty()) {
         shot.show = split(written.show, ',');
     }
@@ -299,6 +301,7 @@ class CommandLine {
         sub->add_option("--theme", written_.theme, "dark or light (default: dark)")
             ->check(CLI::IsMember({"dark", "light"}));
         sub->add_option("--show", written_.show, "Layers to show")->type_name("A,B,...");
+        sub->add_flag("--present", written_.present, "As it is shown to an audience (F11)");
         sub->add_option("--scale", written_.scale, "Size of the interface, 0.5 to 4 (default: 1)")
             ->type_name("S");
         sub->callback([this] {

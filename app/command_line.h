@@ -23,6 +23,7 @@ struct DrawScreenshot {
     double scale = 1;              ///< of the interface
     std::string theme = "dark";    ///< or "light"
     std::vector<std::string> show; ///< names of layers, as they were given
+    bool present = false;          ///< as before an audience
 };
 
 /// All was done; the program ends with this code: 0 done, 1 input refused, 2 wrongly called.

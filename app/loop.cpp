@@ -96,13 +96,14 @@ void runEditor(Window& window, ui::InputQueue& queue, ui::Session& session,
     while (true) {
         pace.wait(window, queue);
         const auto screen = window.screen();
-        interface.fit(screen);
+        interface.fit(ui::scaled(screen, session.view));
         const auto frame = ui::runFrame(session, screen, queue.takeFrame(), pace.start());
         if (!afterFrame(session)) {
             return;
         }
         window.setTitle(frame.title);
         window.setPointer(frame.pointer);
+        window.setFullScreen(frame.fullScreen);
         if (!queue.empty()) {
             continue; // events that were caught up with are not worth showing one by one
         }

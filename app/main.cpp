@@ -69,6 +69,7 @@ int drawScreenshot(const DrawScreenshot& asked) {
         return complain(session.refusal().message());
     }
     session->view.theme = asked.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
+    session->view.presenting = asked.present;
     if (!asked.show.empty()) {
         if (const auto fault = showOnly(session->view.layers, asked.show)) {
             complain(*fault);

@@ -121,7 +121,7 @@ Image drawOffscreen(Renderer& renderer, const ui::FrameResult& frame, const ui::
 Image screenshot(ui::Session& session, const ui::Screen& screen) {
     const OffscreenContext context;
     Interface interface;
-    interface.fit(screen);
+    interface.fit(ui::scaled(screen, session.view));
     auto frame = ui::runFrame(session, screen, {}, frameSeconds);
     for (int settled = 1; settled < settlingFrames; ++settled) {
         frame = ui::runFrame(session, screen, {}, frameSeconds);

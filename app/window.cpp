@@ -81,6 +81,25 @@ int cursorShape(ui::PointerShape shape) {
     return GLFW_ARROW_CURSOR;
 }
 
+// The monitor that shows most of a rectangle; null where there is none at all.
+GLFWmonitor* monitorUnder(int x, int y, int width, int height) {
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    long most = 0;
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0, across = 0, down = 0;
+        glfwGetMonitorWorkarea(monitors[i], &left, &top, &across, &down);
+        const long wide = std::min(x + width, left + across) - std::max(x, left);
+        const long high = std::min(y + height, top + down) - std::max(y, top);
+        if (wide > 0 && high > 0 && wide * high > most) {
+            most = wide * high;
+            best = monitors[i];
+        }
+    }
+    return best;
+}
+
 void askForCoreContext(const WindowOptions& options) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -267,6 +286,26 @@ void Window::setPointer(ui::PointerShape shape) {
         pointer_ = shape;
         cursor_.reset(glfwCreateStandardCursor(cursorShape(shape)));
         glfwSetCursor(window_.get(), cursor_.get()); // none, where the system lacks it, is an arrow
+    }
+}
+
+void Window::setFullScreen(bool full) {
+    if (full == placeBefore_.has_value()) {
+        return;
+    }
+    GLFWwindow* const window = window_.get();
+    if (const auto place = std::exchange(placeBefore_, std::nullopt)) {
+        glfwSetWindowMonitor(window, nullptr, place->x, place->y, place->width, place->height,
+                             GLFW_DONT_CARE);
+        return;
+    }
+    Place place;
+    glfwGetWindowPos(window, &place.x, &place.y);
+    glfwGetWindowSize(window, &place.width, &place.height);
+    GLFWmonitor* const monitor = monitorUnder(place.x, place.y, place.width, place.height);
+    if (const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr) {
+        placeBefore_ = place;
+        glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "ui/input.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 struct GLFWwindow;
@@ -43,6 +44,9 @@ class Window {
 
     void setTitle(const std::string& title);
     void setPointer(ui::PointerShape shape);
+    /// Fills the monitor that shows most of the window, or goes back to the place and size from
+    /// before. Nothing where that is how it is already.
+    void setFullScreen(bool full);
 
     std::string clipboard() const;
     void setClipboard(const std::string& text);
@@ -71,6 +75,10 @@ class Window {
     std::unique_ptr<Listener> listener_;
     std::unique_ptr<GLFWwindow, Closed> window_;
     std::unique_ptr<GLFWcursor, Closed> cursor_;
+    struct Place {
+        int x = 0, y = 0, width = 0, height = 0; // screen coordinates
+    };
+    std::optional<Place> placeBefore_; // of a window that fills its monitor
     std::string title_;
     ui::PointerShape pointer_ = ui::PointerShape::arrow;
 };

@@ -34,6 +34,8 @@ struct Command {
     bool startsGroup = false; ///< a line stands above it in the menu
     bool repeats = false;     ///< again and again while its key is held down
     bool onTap = false;       ///< when its key is let go, if nothing was done with it held down
+    /// In which menus of the right button it stands.
+    std::vector<Context> contexts = {};
 };
 
 std::span<const Command> commands();

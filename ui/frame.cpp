@@ -6,6 +6,7 @@
 #include "ui/lettering.h"
 #include "ui/paint.h"
 #include "ui/panels/panels.h"
+#include "ui/refit.h"
 #include "ui/travel.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace splineloft::ui {
 namespace {
 
 constexpr double longestStep = 0.1; // seconds
-constexpr double usualUnit = 80;    // design pixels, where there is nothing to fit
-constexpr double fitMargin = 72;    // design pixels around a fitted document
 
 /// Keys that belong to a text field while one is being edited.
 bool isForTextField(const Shortcut& shortcut) {
@@ -81,38 +80,6 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
             }
         }
     }
-}
-
-/// Shows everything there is, if that was asked for.
-void fitIfAsked(Session& session, double scale) {
-    if (!session.view.fitPending || session.canvas.width <= 0) {
-        return;
-    }
-    session.view.fitPending = false;
-    std::optional<PlanePoint> low;
-    PlanePoint high;
-    for (std::size_t i = 0; i < session.studies.size(); ++i) {
-        const Study& study = session.studies[i];
-        auto places = controlPlaces(study.curve(), session.view.axes);
-        const CurvePlaces tips(study.curve(), session.view.axes);
-        for (std::size_t k = 0; k < study.curve().tangents.size(); ++k) {
-            places.push_back(tips.tangentTip(k));
-        }
-        const auto& plane = study.plane(session.view.axes);
-        for (std::size_t k = 0; k < std::min<std::size_t>(plane.size(), 10'000); ++k) {
-            for (const double u : {0.25, 0.5, 0.75}) {
-                const Point p = plane.position({k, u});
-                places.push_back({p[0], p[1]});
-            }
-        }
-        for (const auto& p : places) {
-            high = low ? PlanePoint{std::max(high.x, p.x), std::max(high.y, p.y)} : p;
-            low = low ? PlanePoint{std::min(low->x, p.x), std::min(low->y, p.y)} : p;
-        }
-    }
-    session.view.camera = low && !(*low == high)
-                              ? fitted(*low, high, session.canvas, fitMargin * scale)
-                              : Camera{low.value_or(PlanePoint{}), usualUnit * scale};
 }
 
 /// Moves the cursor along the active curve while it plays; from the end back to the start.
@@ -239,30 +206,51 @@ void beginImGui(const Screen& screen, std::span<const InputEvent> events, double
     ImGui::NewFrame();
 }
 
+/// Everything around the canvas and what happens on it; returns where the plots are to be drawn.
+std::optional<StripFrames> drawPanels(Session& session, const Screen& screen, const Layout& layout,
+                                      std::span<const InputEvent> events) {
+    const Theme& theme = themeOf(session.view.theme);
+    const auto stage = [&](const ScreenRect& rect) { return Stage{theme, screen.scale, rect}; };
+    const bool panels = !session.view.presenting;
+    drawSplitters(session.view, layout, screen, theme);
+    if (panels) {
+        drawToolRail(session, stage(layout.tools));
+    }
+    const auto frames = drawStrip(session, session.view, stage(layout.strip));
+    if (panels) {
+        carryOut(session, drawInspector(session, session.view, stage(layout.inspector)));
+    }
+    carryOut(session, drawExactEntry(session, session.view, stage(layout.canvas)));
+    // After the panels: what was typed there is entered by the press that acts here.
+    drawCanvas(session, stage(layout.canvas), events);
+    if (panels) {
+        drawStatus(session, stage(layout.status));
+        drawMenuBar(session, stage(layout.menu));
+    } else {
+        drawCaption(session, stage(layout.status));
+    }
+    const Stage window =
+        stage({0, 0, static_cast<double>(screen.width), static_cast<double>(screen.height)});
+    drawContextMenu(session, window);
+    drawDialog(session, window);
+    return frames;
+}
+
 } // namespace
 
-FrameResult runFrame(Session& session, const Screen& screen, std::span<const InputEvent> events,
+FrameResult runFrame(Session& session, const Screen& window, std::span<const InputEvent> events,
                      double seconds) {
+    const Screen screen = scaled(window, session.view); // what happens in it counts from the next
     const Theme& theme = themeOf(session.view.theme);
     applyStyle(theme, screen.scale);
     beginImGui(screen, events, seconds);
     takeEvents(session, events);
     advance(session, seconds);
 
-    const double strip = session.view.layers.basis ? session.view.strip : 0;
-    const auto layout = layOut(screen.width, screen.height, screen.scale, strip);
-    const auto stage = [&](const ScreenRect& rect) { return Stage{theme, screen.scale, rect}; };
-    drawToolRail(session, stage(layout.tools));
-    const auto frames = drawStrip(session, session.view, stage(layout.strip));
-    carryOut(session, drawInspector(session, session.view, stage(layout.inspector)));
-    carryOut(session, drawExactEntry(session, session.view, stage(layout.canvas)));
-    // After the panels: what was typed there is entered by the press that acts here.
-    drawCanvas(session, stage(layout.canvas), events);
-    drawStatus(session, stage(layout.status));
-    drawMenuBar(session, stage(layout.menu));
-    drawDialog(session, stage({0, 0, static_cast<double>(screen.width),
-                               static_cast<double>(screen.height)}));
-    fitIfAsked(session, screen.scale);
+    const auto layout = layOut(screen, session.view);
+    followScreen(session, screen.scale, layout.canvas);
+    const auto frames = drawPanels(session, screen, layout, events);
+    fitIfAsked(session);
 
     FrameResult result;
     result.background = theme.surfaces.panel;
@@ -272,6 +260,7 @@ FrameResult runFrame(Session& session, const Screen& screen, std::span<const Inp
     }
     ImGui::Render();
     result.animating = session.view.playing;
+    result.fullScreen = session.view.presenting;
     result.pointer = pointerFor(session);
     result.title = session.fileName() + (session.unsaved() ? " ●" : "") + " - Splineloft";
     return result;

@@ -5,18 +5,13 @@
 #include "ui/drawing.h"
 #include "ui/input.h"
 #include "ui/session.h"
+#include "ui/stage.h"
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace splineloft::ui {
-
-/// The window as the interface sees it.
-struct Screen {
-    int width = 1280, height = 800; ///< framebuffer pixels
-    double scale = 1;               ///< pixels per design pixel: 1 at 96 dpi, 2 at 192 dpi
-};
 
 /// Files of the fonts (found by the program through fontconfig).
 struct Fonts {
@@ -32,19 +27,21 @@ struct FrameResult {
     Colour background;             ///< of the window, where no picture is
     bool animating = false;        ///< draw another frame at once, without waiting for an event
     PointerShape pointer = PointerShape::arrow;
-    std::string title; ///< of the window
+    std::string title;       ///< of the window
+    bool fullScreen = false; ///< the window fills its monitor
 };
 
 /// Starts Dear ImGui for the interface: one context, our style, no files written.
 void startInterface();
 void stopInterface();
 
-/// Loads the fonts and sizes of the style for `screen.scale`; call before the first frame and
-/// whenever the scale changes. The renderer must upload the font texture anew afterwards.
+/// Loads the fonts for `screen.scale`; call before the first frame and whenever the scale that
+/// `scaled` gives changes. The renderer must upload the font texture anew afterwards.
 void loadFonts(const Fonts& fonts, const Screen& screen);
 
-/// Runs one frame. Takes `events` in order, advances animations by `seconds`, changes `session`
-/// (including its list of requests to the program), and leaves Dear ImGui's draw data ready.
+/// Runs one frame on a screen that has the scale of its monitor. Takes `events` in order, advances
+/// animations by `seconds`, changes `session` (including its list of requests to the program), and
+/// leaves Dear ImGui's draw data ready.
 FrameResult runFrame(Session& session, const Screen& screen, std::span<const InputEvent> events,
                      double seconds);
 

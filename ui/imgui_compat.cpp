@@ -153,6 +153,12 @@ ImGuiKeyCode tabKey() {
 ImGuiKeyCode enterKey() {
     return ImGui::GetKeyIndex(ImGuiKey_Enter);
 }
+ImGuiKeyCode upKey() {
+    return ImGui::GetKeyIndex(ImGuiKey_UpArrow);
+}
+ImGuiKeyCode downKey() {
+    return ImGui::GetKeyIndex(ImGuiKey_DownArrow);
+}
 
 bool isActiveWidget(unsigned id) {
     return ImGui::GetActiveID() == id;

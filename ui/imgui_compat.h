@@ -23,6 +23,8 @@ using ImGuiKeyCode = int;
 ImGuiKeyCode escapeKey();
 ImGuiKeyCode tabKey();
 ImGuiKeyCode enterKey();
+ImGuiKeyCode upKey();
+ImGuiKeyCode downKey();
 
 /// Whether the widget of that id is being held or edited.
 bool isActiveWidget(unsigned id);

@@ -72,6 +72,7 @@ enum class Key : int {
     home,
     end,
     f1 = 290,
+    f2,
     f11 = 300,
     keypad0 = 320,
     keypadEnter = 335,

@@ -111,6 +111,23 @@ void Session::browse(FilePurpose purpose) {
     dialog = std::move(browser);
 }
 
+void Session::present(bool on) {
+    if (on == view.presenting) {
+        return;
+    }
+    view.presenting = on;
+    giveUpGesture();
+    if (on) {
+        view.cameraAfterwards = view.camera;
+        view.cameraAfterwards->pixelsPerUnit /= scale;
+    } else if (const auto before = std::exchange(view.cameraAfterwards, std::nullopt)) {
+        view.camera = *before;
+        view.camera.pixelsPerUnit *= scale;
+    } else {
+        view.fitPending = true;
+    }
+}
+
 void Session::dismiss() {
     dialog.reset();
     afterSave_.reset();
@@ -126,6 +143,9 @@ void Session::opened(Document document, std::string file) {
     view.layers = kept.layers;
     view.theme = kept.theme;
     view.strip = kept.strip;
+    view.inspector = kept.inspector;
+    view.interfaceScale = kept.interfaceScale;
+    view.presenting = kept.presenting;
     tidy();
     restCursor();
 }

@@ -7,6 +7,7 @@
 #include "ui/edit.h"
 #include "ui/study.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -64,7 +65,22 @@ struct UnsavedQuestion {
     Departure departure;
 };
 struct KeyList {};
-using Dialog = std::variant<FileBrowser, UnsavedQuestion, KeyList>;
+/// A field in which commands are found by a few letters.
+struct Palette {
+    std::array<char, 96> typed{}; ///< UTF-8, ended by 0
+    std::size_t chosen = 0;       ///< row of the command that Enter runs
+};
+using Dialog = std::variant<FileBrowser, UnsavedQuestion, KeyList, Palette>;
+
+/// What the pointer was over when the right button was pressed.
+enum class Context { point, curve, canvas };
+
+/// The menu that this opens.
+struct ContextMenu {
+    Context context = Context::canvas;
+    ScreenPoint at;
+    bool shown = false; ///< it has been drawn since
+};
 
 /// A message in the status line; it stays until the next press of a button or key.
 struct Notice {
@@ -103,6 +119,8 @@ class Session {
     /// Saves under the present path, or asks for one. Then departs, if that was the reason.
     void save(std::optional<Departure> then = std::nullopt);
     void browse(FilePurpose purpose);
+    /// Shows the canvas to an audience, or goes back to work; either way, what is seen stays seen.
+    void present(bool on);
     /// Closes the dialog without doing what it was for.
     void dismiss();
 
@@ -121,6 +139,8 @@ class Session {
     Studies studies;
     std::string path;
     std::optional<Dialog> dialog;
+    std::optional<ContextMenu> contextMenu;
+    std::vector<std::string> recentCommands; ///< ids of those run from the palette, latest first
     std::optional<Notice> notice;
     std::vector<Request> requests;
     double scale = 1;    ///< pixels per design pixel

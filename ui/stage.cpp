@@ -4,6 +4,7 @@
 #include "ui/imgui_compat.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace splineloft::ui {
 namespace {
@@ -12,8 +13,23 @@ namespace {
 constexpr double menuHeight = 32;
 constexpr double statusHeight = 28;
 constexpr double toolsWidth = 46;
-constexpr double inspectorWidth = 312;
+constexpr double leastInspector = 260;
+constexpr double mostInspector = 560;
+constexpr double leastStrip = 130;
 constexpr double leastCanvas = 160;
+
+/// Where there is less room than this, everything gets smaller instead.
+struct DesignSize {
+    double width, height;
+};
+constexpr DesignSize leastWorkplace{640, 400};
+constexpr DesignSize leastStage{480, 300}; // before an audience: the canvas and little else
+
+constexpr double audienceScale = 1.6;
+
+// The scale goes down in these steps, so that a window that is being made smaller does not load
+// the fonts anew at every pixel.
+constexpr double scaleStep = 0.125;
 
 constexpr double regularSize = 15;
 constexpr double smallSize = 12.5;
@@ -25,20 +41,46 @@ ImVec4 floating(Colour c) {
 
 } // namespace
 
-Layout layOut(double width, double height, double scale, double strip) {
+double SizeRange::limited(double size) const {
+    return std::min(std::max(size, least), most);
+}
+
+SizeRange inspectorRange(const Screen& screen) {
+    return {leastInspector, std::min(mostInspector, screen.width / screen.scale / 2)};
+}
+
+SizeRange stripRange(const Screen& screen) {
+    const double others = menuHeight + statusHeight + leastCanvas;
+    return {leastStrip, std::max(screen.height / screen.scale - others, 0.0)};
+}
+
+Screen scaled(const Screen& screen, const View& view) {
+    const DesignSize least = view.presenting ? leastStage : leastWorkplace;
+    const double room = std::min(screen.width / least.width, screen.height / least.height);
+    const double most = std::max(std::floor(room / scaleStep) * scaleStep, 0.5);
+    const double wanted =
+        screen.scale * view.interfaceScale * (view.presenting ? audienceScale : 1);
+    return {screen.width, screen.height, std::min(wanted, most)};
+}
+
+Layout layOut(const Screen& screen, const View& view) {
     Layout layout;
-    const double top = menuHeight * scale;
-    const double left = toolsWidth * scale;
+    const double width = screen.width;
+    const double scale = screen.scale;
+    const bool panels = !view.presenting;
+    const double top = panels ? menuHeight * scale : 0;
+    const double left = panels ? toolsWidth * scale : 0;
+    const double beside = panels ? inspectorRange(screen).limited(view.inspector) * scale : 0;
+    const double below = view.layers.basis ? stripRange(screen).limited(view.strip) * scale : 0;
     // However small the window, the canvas keeps a pixel.
-    const double bottom = std::max(height - statusHeight * scale, top + 1);
-    const double right = std::max(width - std::min(inspectorWidth * scale, width / 2), left + 1);
-    const double most = std::max(bottom - top - leastCanvas * scale, 0.0);
-    const double plots = std::min(strip * scale, most);
+    const double bottom = std::max(screen.height - statusHeight * scale, top + 1);
+    const double right = std::max(width - beside, left + 1);
+    const double plots = std::min(below, bottom - top - 1);
     layout.menu = {0, 0, width, top};
     layout.tools = {0, top, left, bottom - top - plots};
     layout.canvas = {left, top, right - left, bottom - top - plots};
     layout.strip = {0, bottom - plots, right, plots};
-    layout.inspector = {right, top, std::max(width - right, 1.0), bottom - top};
+    layout.inspector = {right, top, width - right, bottom - top};
     layout.status = {0, bottom, width, statusHeight * scale};
     return layout;
 }

@@ -92,7 +92,6 @@ Widget inDialog(std::string label) {
 
 Driver::Driver(Document document, Screen window) : session(std::move(document)), screen(window) {
     startInterface();
-    loadFonts(testFonts(), screen);
     frames(2);
 }
 
@@ -102,6 +101,11 @@ Driver::~Driver() {
 
 void Driver::frames(int count, double seconds) {
     for (int i = 0; i < count; ++i) {
+        const Screen now = scaled(screen, session.view);
+        if (now.scale != fontScale_) {
+            fontScale_ = now.scale;
+            loadFonts(testFonts(), now);
+        }
         result = runFrame(session, screen, queue.takeFrame(), seconds);
     }
 }

@@ -88,6 +88,7 @@ class Driver {
     std::optional<ScreenRect> rectOf(const Widget& widget);
 
     Modifiers held_;
+    double fontScale_ = 0; // of the fonts that are loaded
 };
 
 /// The places where DejaVu Sans, the font of the program, is usually installed.

@@ -38,11 +38,4 @@ bool letsGo(const PointerEvent& event) {
     return event.kind == Kind::release && event.button == Button::left;
 }
 
-void activate(View& view, std::size_t curve) {
-    if (curve != view.activeCurve) {
-        view.cursor = {};
-    }
-    view.activeCurve = curve;
-}
-
 } // namespace splineloft::ui

@@ -16,44 +16,39 @@ int linesBetween(double first, double last) {
     return static_cast<int>(std::clamp(std::floor(last - first) + 1, 0.0, 10'000.0));
 }
 
-/// One set of parallel lines, across (x = k * step) or along (y = k * step).
-void drawLines(Scene& scene, const Viewport& viewport, double step, Role role, double scale,
-               bool numbered) {
+/// Calls `use(k, x or y)` for every multiple k * step that lies within the frame, across or up.
+template <class Use> void eachAcross(const Viewport& viewport, double step, Use use) {
     const auto& frame = viewport.frame;
-    const PlanePoint low = viewport.toPlane({frame.left, frame.bottom()});
-    const PlanePoint high = viewport.toPlane({frame.right(), frame.top});
-    const auto ink = [role](double k) { return Ink{k == 0 ? Role::gridAxis : role, 0}; };
-    const double inset = 5 * scale;
     // Counted by whole steps: far out, a double k + 1 could be k again.
-    const double left = std::ceil(low.x / step);
-    for (int i = 0; i < linesBetween(left, high.x / step); ++i) {
-        const double k = left + i;
-        const double x = viewport.toScreen({k * step, 0}).x;
+    const double first = std::ceil(viewport.toPlane({frame.left, 0}).x / step);
+    const int count = linesBetween(first, viewport.toPlane({frame.right(), 0}).x / step);
+    for (int i = 0; i < count; ++i) {
+        use(first + i, viewport.toScreen({(first + i) * step, 0}).x);
+    }
+}
+template <class Use> void eachUp(const Viewport& viewport, double step, Use use) {
+    const auto& frame = viewport.frame;
+    const double first = std::ceil(viewport.toPlane({0, frame.bottom()}).y / step);
+    const int count = linesBetween(first, viewport.toPlane({0, frame.top}).y / step);
+    for (int i = 0; i < count; ++i) {
+        use(first + i, viewport.toScreen({0, (first + i) * step}).y);
+    }
+}
+
+/// Both sets of parallel lines.
+void drawLines(Scene& scene, const Viewport& viewport, double step, Role role) {
+    const auto& frame = viewport.frame;
+    const auto ink = [role](double k) { return Ink{k == 0 ? Role::gridAxis : role, 0}; };
+    eachAcross(viewport, step, [&](double k, double x) {
         scene.strokes.push_back({{{x, frame.top}, {x, frame.bottom()}}, ink(k)});
-        if (numbered) {
-            scene.labels.push_back({decimal(k * step, step),
-                                    {x + inset, frame.bottom() - 10 * scale},
-                                    0,
-                                    {Role::gridNumber},
-                                    true,
-                                    true});
-        }
-    }
-    const double lowest = std::ceil(low.y / step);
-    for (int i = 0; i < linesBetween(lowest, high.y / step); ++i) {
-        const double k = lowest + i;
-        const double y = viewport.toScreen({0, k * step}).y;
+    });
+    eachUp(viewport, step, [&](double k, double y) {
         scene.strokes.push_back({{{frame.left, y}, {frame.right(), y}}, ink(k)});
-        const bool clear = y < frame.bottom() - 30 * scale && y > frame.top + 14 * scale;
-        if (numbered && clear) {
-            scene.labels.push_back({decimal(k * step, step),
-                                    {frame.left + inset, y - 9 * scale},
-                                    0,
-                                    {Role::gridNumber},
-                                    true,
-                                    true});
-        }
-    }
+    });
+}
+
+double coarseGridStep(const Camera& camera, double scale) {
+    return gridStep(camera, coarsePixels * scale);
 }
 
 } // namespace
@@ -63,10 +58,24 @@ double fineGridStep(const Camera& camera, double scale) {
 }
 
 void drawGrid(Scene& scene, const Viewport& viewport, double scale) {
-    const double fine = fineGridStep(viewport.camera, scale);
-    const double coarse = gridStep(viewport.camera, coarsePixels * scale);
-    drawLines(scene, viewport, fine, Role::gridFine, scale, false);
-    drawLines(scene, viewport, coarse, Role::gridCoarse, scale, true);
+    drawLines(scene, viewport, fineGridStep(viewport.camera, scale), Role::gridFine);
+    drawLines(scene, viewport, coarseGridStep(viewport.camera, scale), Role::gridCoarse);
+}
+
+void drawGridNumbers(Scene& scene, const Viewport& viewport, double scale) {
+    const auto& frame = viewport.frame;
+    const double step = coarseGridStep(viewport.camera, scale);
+    const double inset = 5 * scale;
+    const auto number = [&](double k, ScreenPoint at) {
+        scene.labels.push_back({decimal(k * step, step), at, 0, {Role::gridNumber}, true, true});
+    };
+    eachAcross(viewport, step,
+               [&](double k, double x) { number(k, {x + inset, frame.bottom() - 10 * scale}); });
+    eachUp(viewport, step, [&](double k, double y) {
+        if (y < frame.bottom() - 30 * scale && y > frame.top + 14 * scale) {
+            number(k, {frame.left + inset, y - 9 * scale});
+        }
+    });
 }
 
 } // namespace splineloft::ui

@@ -9,7 +9,8 @@ namespace splineloft::ui {
 /// Distance of the fine lines in units: the step that Ctrl snaps to.
 double fineGridStep(const Camera& camera, double scale);
 
-/// Adds the grid, with its numbers along the left and lower edge.
+/// Adds the grid; its numbers stand along the left and lower edge.
 void drawGrid(Scene& scene, const Viewport& viewport, double scale);
+void drawGridNumbers(Scene& scene, const Viewport& viewport, double scale);
 
 } // namespace splineloft::ui

@@ -244,7 +244,14 @@ class Illustration {
                                  .noted = true});
     }
 
-    void grid() { drawGrid(scene_, viewport_, scale_); }
+    void grid() {
+        if (view_.layers.grid) {
+            drawGrid(scene_, viewport_, scale_);
+        }
+        if (view_.layers.gridNumbers) {
+            drawGridNumbers(scene_, viewport_, scale_);
+        }
+    }
 
   private:
     void stroke(std::vector<ScreenPoint> points, Ink ink) {

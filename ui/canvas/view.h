@@ -35,6 +35,8 @@ struct Camera {
 
 /// What is drawn besides the curves themselves.
 struct Layers {
+    bool grid = true;
+    bool gridNumbers = true;
     bool polygon = true;
     bool labels = true;
     bool ladder = true;
@@ -45,7 +47,8 @@ struct Layers {
     bool operator==(const Layers&) const = default;
 };
 
-/// A layer by name, as the command line knows it.
+/// A layer by name, as the command line knows it. The grid is behind all of them, and no choice
+/// among them.
 struct NamedLayer {
     std::string_view name;
     bool Layers::* layer;
@@ -72,6 +75,10 @@ struct Grip {
     bool operator==(const Grip&) const = default;
 };
 
+// Sizes of the panels that can be dragged, design pixels.
+inline constexpr double usualStrip = 208;
+inline constexpr double usualInspector = 312;
+
 struct View {
     Camera camera;
     bool fitPending = true; ///< the next frame fits the document into the canvas
@@ -93,7 +100,20 @@ struct View {
     double duration = 6;      ///< seconds from start to end
     Even pace = Even::length; ///< what playing, and the beads, are even in
     int beads = 24;
-    double strip = 208; ///< height of the plots, design pixels
+    double strip = usualStrip;         ///< height of the plots, design pixels
+    double inspector = usualInspector; ///< width, design pixels
+    double interfaceScale = 1;         ///< how large the person wants everything to be
+    bool presenting = false;           ///< full screen, for an audience: `Session::present`
+    /// The camera from before, for design pixels; none where another document was opened meanwhile.
+    std::optional<Camera> cameraAfterwards;
 };
+
+/// Turns to a curve; u goes to its start, for it may have fewer pieces than the one before.
+inline void activate(View& view, std::size_t curve) {
+    if (curve != view.activeCurve) {
+        view.cursor = {};
+    }
+    view.activeCurve = curve;
+}
 
 } // namespace splineloft::ui

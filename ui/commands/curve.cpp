@@ -52,6 +52,7 @@ void addCurveCommands(std::vector<Command>& all) {
                    [](Session& s) { s.view.tool = Tool::pen; },
                    [](const Session&) { return true; },
                    [](const Session& s) { return s.view.tool == Tool::pen; }});
+    all.back().contexts = {Context::canvas};
     all.push_back({"curve.new",
                    "Curve",
                    called("Pen: begin another curve"),
@@ -59,6 +60,7 @@ void addCurveCommands(std::vector<Command>& all) {
                    [](Session& s) { s.view.tool = Tool::newCurve; },
                    [](const Session&) { return true; },
                    [](const Session& s) { return s.view.tool == Tool::newCurve; }});
+    all.back().contexts = {Context::canvas};
     all.push_back({"tool.endPen",
                    "",
                    called("End the pen"),
@@ -77,12 +79,14 @@ void addCurveCommands(std::vector<Command>& all) {
                    [](const Session& s) { return hasCurve(s) && s.active()->family().closable; },
                    [](const Session& s) { return hasCurve(s) && s.active()->curve().closed; }});
     all.back().startsGroup = true;
+    all.back().contexts = {Context::point, Context::curve};
     all.push_back({"curve.toBezierSpline",
                    "Curve",
                    called("Turn into a Bézier spline of the same shape"),
                    {},
                    turnIntoBezierSpline,
                    hasPieces});
+    all.back().contexts = {Context::curve};
     all.push_back({"curve.graph",
                    "Curve",
                    called("Parabola as the graph y = f(x)"),
@@ -106,6 +110,7 @@ void addCurveCommands(std::vector<Command>& all) {
                                 "Delete the curve"});
                    },
                    hasCurve});
+    all.back().contexts = {Context::curve};
     int digit = 0;
     for (const auto& family : catalog()) {
         ++digit;
@@ -123,6 +128,7 @@ void addCurveCommands(std::vector<Command>& all) {
              },
              hasCurve,
              [id](const Session& s) { return hasCurve(s) && s.active()->curve().family == id; }});
+        all.back().contexts = {Context::point, Context::curve};
     }
 }
 

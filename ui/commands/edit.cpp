@@ -18,6 +18,14 @@ void deleteSelection(Session& session) {
     session.apply({deletePoints(session.history.settled(), ids), Phase::commit, label});
 }
 
+void insertAtCursor(Session& session) {
+    const auto curve = session.view.activeCurve;
+    auto inserted = insertOnCurve(session.history.settled(), curve, session.view.cursor);
+    const auto label = "Insert " + nameOf(inserted.document, {inserted.point});
+    session.apply({std::move(inserted.document), Phase::commit, label});
+    session.view.selection = {inserted.point};
+}
+
 void selectAll(Session& session) {
     session.view.selection.clear();
     const auto count = session.active()->curve().points.size();
@@ -43,12 +51,14 @@ void selectAfter(Session& session, int steps) {
     selection = {{curve, static_cast<std::size_t>(index), Part::point}};
 }
 
-/// Esc: whatever is under way ends, else the tool, else the selection.
+/// Esc: whatever is under way ends, else the tool, else the show, else the selection.
 void stepBack(Session& session) {
     if (!std::holds_alternative<Idle>(session.gesture)) {
         session.giveUpGesture();
     } else if (session.view.tool != Tool::select) {
         session.view.tool = Tool::select;
+    } else if (session.view.presenting) {
+        session.present(false);
     } else {
         session.view.selection.clear();
     }
@@ -104,6 +114,7 @@ void addEditCommands(std::vector<Command>& all) {
                    [](Session& s) { s.undo(); },
                    [](const Session& s) { return s.history.canUndo() || s.history.previewing(); }});
     all.back().repeats = true;
+    all.back().contexts = {Context::canvas};
     all.push_back({"edit.redo",
                    "Edit",
                    [](const Session& s) { return "Redo " + std::string(s.history.redoLabel()); },
@@ -111,6 +122,7 @@ void addEditCommands(std::vector<Command>& all) {
                    [](Session& s) { s.redo(); },
                    [](const Session& s) { return s.history.canRedo(); }});
     all.back().repeats = true;
+    all.back().contexts = {Context::canvas};
     addClipboardCommands(all);
     all.push_back({"edit.delete",
                    "Edit",
@@ -119,12 +131,21 @@ void addEditCommands(std::vector<Command>& all) {
                    deleteSelection,
                    hasSelection});
     all.back().startsGroup = true;
+    all.back().contexts = {Context::point};
+    all.push_back({"edit.insert",
+                   "Edit",
+                   called("Insert a point at u"),
+                   {{Key::i}},
+                   insertAtCursor,
+                   hasPieces});
+    all.back().contexts = {Context::curve};
     all.push_back({"edit.selectAll",
                    "Edit",
                    called("Select all points of the curve"),
                    {{Key::a, controlKey}},
                    selectAll,
                    hasCurve});
+    all.back().contexts = {Context::point, Context::curve};
     all.push_back({"edit.selectNext",
                    "Edit",
                    called("Select the next point"),

@@ -64,6 +64,11 @@ void addMotionCommands(std::vector<Command>& all) {
                    [](Session& s) {
                        s.view.pace = s.view.pace == Even::length ? Even::parameter : Even::length;
                    }});
+    all.push_back({"help.palette",
+                   "Help",
+                   called("Find a command…"),
+                   {{Key::p, controlShiftKeys}},
+                   [](Session& s) { s.dialog = Palette{}; }});
     all.push_back({"help.keys", "Help", called("Keys and mouse"), {{Key::f1}}, [](Session& s) {
                        s.dialog = KeyList{};
                    }});

@@ -35,7 +35,11 @@ std::string nameOf(Key key) {
     case Key::right: return "→";
     case Key::up: return "↑";
     case Key::down: return "↓";
+    case Key::pageUp: return "Page Up";
+    case Key::pageDown: return "Page Down";
     case Key::f1: return "F1";
+    case Key::f2: return "F2";
+    case Key::f11: return "F11";
     default: return "key " + std::to_string(code);
     }
 }

@@ -55,11 +55,30 @@ Modifiers heldModifiers() {
     return {io.KeyShift, io.KeyCtrl, io.KeyAlt};
 }
 
+/// The right button: the menu of what lies under the pointer, which is turned to first. (While a
+/// gesture goes on, it restores.)
+void openContextMenu(Session& session, double scale) {
+    auto& view = session.view;
+    const Hit hit = pick(session.document(), session.studies, view, {view.camera, session.canvas},
+                         session.pointer, scale);
+    session.contextMenu = ContextMenu{Context::canvas, session.pointer};
+    if (hit.point) {
+        session.contextMenu->context = Context::point;
+        if (!view.selection.contains(*hit.point)) {
+            view.selection = {*hit.point};
+        }
+        activate(view, hit.point->curve);
+    } else if (hit.curve) {
+        session.contextMenu->context = Context::curve;
+        activate(view, hit.curve->curve);
+        view.cursor = hit.curve->spot;
+        view.playing = false;
+    }
+}
+
 } // namespace
 
 void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent> events) {
-    session.canvas = stage.rect;
-    session.scale = stage.scale;
     beginPanel("canvas", stage,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
@@ -79,7 +98,10 @@ void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent
         }
         const bool busy = !std::holds_alternative<Idle>(session.gesture);
         const auto* wheel = std::get_if<WheelTurned>(&event);
-        if (wheel != nullptr && over) {
+        const auto* button = std::get_if<PointerButton>(&event);
+        if (over && !busy && button != nullptr && button->down && button->button == Button::right) {
+            openContextMenu(session, stage.scale);
+        } else if (wheel != nullptr && over) {
             session.view.camera = zoomed({session.view.camera, session.canvas}, session.pointer,
                                          std::pow(zoomPerNotch, wheel->dy));
         } else if (auto pointer = pointerEvent(event, session.pointer, heldModifiers());

@@ -1,32 +1,13 @@
-#include "ui/commands.h"
 #include "ui/imgui_compat.h"
 #include "ui/panels/browser.h"
+#include "ui/panels/key_list.h"
+#include "ui/panels/palette.h"
 #include "ui/panels/panels.h"
-#include "ui/widgets.h"
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-
 namespace splineloft::ui {
 namespace {
-
-struct Mouse {
-    const char* hand;
-    const char* deed;
-};
-
-constexpr std::array mouse = {
-    Mouse{"Click, Shift+click", "select a point; add it to the selection or take it away"},
-    Mouse{"Drag a point", "move the selection: Shift keeps the axis, Ctrl snaps"},
-    Mouse{"Drag on empty space", "select the points in a box"},
-    Mouse{"Drag along the curve", "slide u"},
-    Mouse{"Double-click the curve", "insert a point there (also Ctrl+click)"},
-    Mouse{"Wheel", "zoom at the pointer"},
-    Mouse{"Middle-drag", "move the view"},
-    Mouse{"Double-click a slider", "back to its neutral value"},
-    Mouse{"Esc or right click in mid-drag", "restore what was there"}};
 
 void question(Session& session, const UnsavedQuestion& asked, const Stage& window) {
     const auto departure = asked.departure;
@@ -49,46 +30,10 @@ void question(Session& session, const UnsavedQuestion& asked, const Stage& windo
     }
 }
 
-void keyRow(const std::string& keys, const std::string& deed, const Stage& window) {
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(keys.c_str());
-    ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, packed(window.theme.surfaces.quiet));
-    ImGui::TextUnformatted(deed.c_str());
-    ImGui::PopStyleColor();
-}
-
-void keyList(Session& session, const Stage& window) {
-    const double room = window.rect.width / window.scale - 90;
-    const bool sideBySide = room >= 1000;
-    const float width = window.px(std::min(room, sideBySide ? 1120.0 : 560.0));
-    const auto height = static_cast<float>(window.rect.height) - window.px(190);
-    if (ImGui::BeginTable("keys", sideBySide ? 4 : 2, ImGuiTableFlags_ScrollY,
-                          {width, std::min(height, window.px(560))})) {
-        for (int i = 0; i < (sideBySide ? 2 : 1); ++i) {
-            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, window.px(222));
-            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-        }
-        for (const auto& [hand, deed] : mouse) {
-            keyRow(hand, deed, window);
-        }
-        for (const auto& command : commands()) {
-            if (!command.shortcuts.empty()) {
-                std::string keys;
-                for (const auto& shortcut : command.shortcuts) {
-                    keys += (keys.empty() ? "" : ", ") + nameOf(shortcut);
-                }
-                keyRow(keys, command.name(session), window);
-            }
-        }
-        ImGui::EndTable();
-    }
-    if (ImGui::Button("Close", {window.px(128), 0})) {
-        session.dialog.reset();
-    }
-}
-
 const char* titleOf(const Dialog& dialog) {
+    if (std::holds_alternative<Palette>(dialog)) {
+        return "###palette";
+    }
     if (const auto* browser = std::get_if<FileBrowser>(&dialog)) {
         return browser->purpose == FilePurpose::open   ? "Open###dialog"
                : browser->purpose == FilePurpose::save ? "Save as###dialog"
@@ -96,6 +41,31 @@ const char* titleOf(const Dialog& dialog) {
     }
     return std::holds_alternative<UnsavedQuestion>(dialog) ? "Save the changes?###dialog"
                                                            : "Keys and mouse###dialog";
+}
+
+/// In the middle of the window.
+bool beginDialog(const char* title, const Stage& window) {
+    const auto& r = window.rect;
+    ImGui::SetNextWindowPos(
+        {static_cast<float>(r.left + r.width / 2), static_cast<float>(r.top + r.height / 2)},
+        ImGuiCond_Always, {0.5F, 0.5F});
+    return ImGui::BeginPopupModal(title, nullptr,
+                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
+}
+
+/// At the top, without a title, and what is behind it stays bright.
+bool beginPalette(const char* title, const Stage& window) {
+    const auto middle = static_cast<float>(window.rect.left + window.rect.width / 2);
+    const auto width = static_cast<float>(paletteWidth(window));
+    ImGui::SetNextWindowPos({middle, static_cast<float>(paletteTop(window))}, ImGuiCond_Always,
+                            {0.5F, 0});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, 1e6F});
+    ImGui::PushStyleColor(ImGuiCol_ModalWindowDimBg, 0U);
+    const bool begun = ImGui::BeginPopupModal(
+        title, nullptr,
+        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoTitleBar);
+    ImGui::PopStyleColor();
+    return begun;
 }
 
 } // namespace
@@ -108,12 +78,8 @@ void drawDialog(Session& session, const Stage& window) {
     if (!ImGui::IsPopupOpen(title)) {
         ImGui::OpenPopup(title);
     }
-    const auto& r = window.rect;
-    ImGui::SetNextWindowPos(
-        {static_cast<float>(r.left + r.width / 2), static_cast<float>(r.top + r.height / 2)},
-        ImGuiCond_Always, {0.5F, 0.5F});
-    if (!ImGui::BeginPopupModal(title, nullptr,
-                                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove)) {
+    const bool isPalette = std::holds_alternative<Palette>(*session.dialog);
+    if (!(isPalette ? beginPalette(title, window) : beginDialog(title, window))) {
         return;
     }
     const bool escaped = ImGui::IsKeyPressed(escapeKey());
@@ -128,10 +94,13 @@ void drawDialog(Session& session, const Stage& window) {
         session.dismiss();
     } else if (const auto* asked = std::get_if<UnsavedQuestion>(&*session.dialog)) {
         question(session, *asked, window);
-    } else {
-        keyList(session, window);
+    } else if (isPalette) {
+        drawPalette(session, window);
+    } else if (drawKeyList(session, window)) {
+        session.dismiss();
     }
-    if (!session.dialog) {
+    // What a command from the palette opens is another window.
+    if (!session.dialog || isPalette != std::holds_alternative<Palette>(*session.dialog)) {
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

@@ -1,21 +1,11 @@
-#include "ui/commands.h"
+#include "ui/panels/menus.h"
 #include "ui/panels/panels.h"
-#include "ui/widgets.h"
 
 #include <imgui.h>
 
-#include <array>
-
 namespace splineloft::ui {
-namespace {
 
-constexpr std::array menus = {"File",  "Edit",   "View",   "Points",
-                              "Curve", "Family", "Motion", "Help"};
-
-void drawCommand(Session& session, const Command& command) {
-    if (command.startsGroup) {
-        ImGui::Separator();
-    }
+void drawMenuItem(Session& session, const Command& command) {
     const auto keys = command.shortcuts.empty() ? std::string() : nameOf(command.shortcuts.front());
     const bool checked = command.checked && command.checked(session);
     const bool possible = command.possible(session);
@@ -24,8 +14,6 @@ void drawCommand(Session& session, const Command& command) {
     }
 }
 
-} // namespace
-
 void drawMenuBar(Session& session, const Stage& stage) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {stage.px(9), stage.px(7.5)});
     const bool shown = ImGui::BeginMainMenuBar();
@@ -33,11 +21,14 @@ void drawMenuBar(Session& session, const Stage& stage) {
     if (!shown) {
         return;
     }
-    for (const char* menu : menus) {
+    for (const char* menu : menuTitles) {
         if (ImGui::BeginMenu(menu)) {
             for (const auto& command : commands()) {
                 if (command.menu == menu) {
-                    drawCommand(session, command);
+                    if (command.startsGroup) {
+                        ImGui::Separator();
+                    }
+                    drawMenuItem(session, command);
                 }
             }
             ImGui::EndMenu();

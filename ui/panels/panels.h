@@ -41,6 +41,16 @@ void drawStatus(const Session& session, const Stage& stage);
 /// The canvas as a place for the hand: takes the frame's events, drives the gesture.
 void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent> events);
 
+/// In place of the status line before an audience: which curve, which family, which u.
+void drawCaption(const Session& session, const Stage& stage);
+
+/// The edges between canvas, inspector and strip: dragging moves them, a double click puts them
+/// back. Before the panels beside them, for they lie over both.
+void drawSplitters(View& view, const Layout& layout, const Screen& screen, const Theme& theme);
+
+/// The menu that the right button has opened on the canvas, if it has.
+void drawContextMenu(Session& session, const Stage& window);
+
 /// The dialog that stands in front, if one does.
 void drawDialog(Session& session, const Stage& window);
 

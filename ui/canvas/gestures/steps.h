@@ -36,7 +36,4 @@ bool givesUp(const PointerEvent& event);
 /// Whether it ends a gesture that the left button began.
 bool letsGo(const PointerEvent& event);
 
-/// Turns to a curve; u goes to its start, for it may have fewer pieces than the one before.
-void activate(View& view, std::size_t curve);
-
 } // namespace splineloft::ui
