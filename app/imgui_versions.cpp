@@ -22,9 +22,16 @@ void copy(Clipboard& clipboard, const char* text) {
 
 void renewFontTexture() {
 #if IMGUI_VERSION_NUM < 19200 // from then on Dear ImGui keeps its textures up to date by itself
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    // Only the texture: 1.86 forgets how small its buffers are when it makes them anew, and draws
+    // nothing from then on.
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_NewFrame(); // makes everything else, the first time with a texture
+    if (!ImGui::GetIO().Fonts->TexID) {
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+#else
+    ImGui_ImplOpenGL3_NewFrame();
 #endif
-    ImGui_ImplOpenGL3_NewFrame(); // makes what is missing, the texture of the fonts with it
 }
 
 void shareClipboard(Clipboard& clipboard) {
