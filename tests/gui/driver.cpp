@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -208,9 +209,9 @@ std::optional<ScreenRect> Driver::find(const Widget& widget) {
     ImGuiWindow* window = drawnWindow(widget.window);
     if (window != nullptr && window->ScrollMax.y > 0 && widget.window == "inspector") {
         // Rows far below are not even laid out: look through the whole length.
-        for (float y = 0; !rect && y <= window->ScrollMax.y;
-             y += window->InnerRect.GetHeight() / 2) {
-            ImGui::SetScrollY(window, y);
+        const float step = window->InnerRect.GetHeight() / 2;
+        for (float y = 0; !rect && y < window->ScrollMax.y + step; y += step) {
+            ImGui::SetScrollY(window, std::min(y, window->ScrollMax.y));
             frames(2);
             rect = rectOf(widget);
         }

@@ -175,6 +175,22 @@ TEST(Hints, aNoticeStaysUntilTheNextPress) {
     EXPECT_FALSE(driver.session.notice);
 }
 
+TEST(Hints, aNoticeTooLongForItsLineIsShownWholeAndBlocksNoHand) {
+    Driver driver(plain(), {800, 600, 1});
+    driver.session.view.strip = 0;
+    driver.session.view.layers.basis = false;
+    driver.frames(2);
+    driver.move({300, 300});
+    driver.key(Key::f);
+    const ScreenPoint low{driver.session.canvas.left + 40, driver.session.canvas.bottom() - 15};
+    driver.session.complain(std::string(40, 'x') + " is not possible: " + std::string(60, 'y') +
+                            " right would be " + std::string(60, 'z'));
+    driver.frames(3);
+    driver.press(low);
+    EXPECT_TRUE(std::holds_alternative<Boxing>(driver.session.gesture)) << "hands reach through";
+    driver.release();
+}
+
 /// Where the cursor is after each of so many equal times.
 std::vector<Spot> played(Driver& driver, Even pace, int steps) {
     driver.session.view.pace = pace;

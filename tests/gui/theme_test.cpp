@@ -83,6 +83,7 @@ TEST(ThemeContrast, textCanBeRead) {
             }
         }
         EXPECT_GE(contrast(s.warning, s.panel), 4.5) << nameOf(kind);
+        EXPECT_GE(contrast(s.warning, s.field), 4.5) << nameOf(kind);
         EXPECT_GE(contrast(colourOf(themeOf(kind), {Role::plotText}), s.panel), 4.5);
     }
 }

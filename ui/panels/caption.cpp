@@ -5,6 +5,11 @@
 #include <imgui.h>
 
 namespace splineloft::ui {
+namespace {
+
+constexpr float mostForName = 0.35F; // of the width
+
+} // namespace
 
 void drawCaption(const Session& session, const Stage& stage) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(14), stage.px(4)});
@@ -16,7 +21,8 @@ void drawCaption(const Session& session, const Stage& stage) {
     const Study* study = session.active();
     if (study != nullptr) {
         ImGui::PushFont(font(Face::bold));
-        ImGui::TextUnformatted(study->curve().name.c_str());
+        const float most = mostForName * static_cast<float>(stage.rect.width);
+        ImGui::TextUnformatted(cutToFit(study->curve().name, most).c_str());
         ImGui::PopFont();
         ImGui::SameLine(0, stage.px(14));
         ImGui::TextUnformatted(std::string(study->family().name).c_str());

@@ -53,19 +53,16 @@ bool beginDialog(const char* title, const Stage& window) {
                                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
 }
 
-/// At the top, without a title, and what is behind it stays bright.
+/// At the top, without a title.
 bool beginPalette(const char* title, const Stage& window) {
     const auto middle = static_cast<float>(window.rect.left + window.rect.width / 2);
     const auto width = static_cast<float>(paletteWidth(window));
     ImGui::SetNextWindowPos({middle, static_cast<float>(paletteTop(window))}, ImGuiCond_Always,
                             {0.5F, 0});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, 1e6F});
-    ImGui::PushStyleColor(ImGuiCol_ModalWindowDimBg, 0U);
-    const bool begun = ImGui::BeginPopupModal(
-        title, nullptr,
-        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoTitleBar);
-    ImGui::PopStyleColor();
-    return begun;
+    return ImGui::BeginPopupModal(title, nullptr,
+                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoTitleBar);
 }
 
 } // namespace

@@ -45,15 +45,19 @@ Group mouseGroup() {
 
 std::string keysOf(const Command& command) {
     std::string keys;
+    std::string last; // + and = are the same to whoever reads
     for (const auto& shortcut : command.shortcuts) {
-        keys += (keys.empty() ? "" : ", ") + nameOf(shortcut);
+        if (const auto name = nameOf(shortcut); name != last) {
+            keys += (keys.empty() ? "" : ", ") + name;
+            last = name;
+        }
     }
     return keys;
 }
 
 /// The commands of a menu that have keys; those of no menu under a title of their own.
 Group groupOf(const std::string& menu, const Session& session) {
-    Group group{menu.empty() ? "Without a menu" : menu, {}};
+    Group group{menu.empty() ? "Further keys" : menu, {}};
     for (const auto& command : commands()) {
         if (command.menu == menu && !command.shortcuts.empty()) {
             group.lines.push_back({keysOf(command), command.name(session)});

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace splineloft::ui {
@@ -29,6 +30,28 @@ std::string figures(const Session& session, double scale) {
            " %";
 }
 
+/// A notice that is too long for its line, above it. Hands reach through it.
+void drawWhole(const Notice& notice, const Stage& stage) {
+    const auto& s = stage.theme.surfaces;
+    ImGui::SetNextWindowPos({static_cast<float>(stage.rect.left) + stage.px(14),
+                             static_cast<float>(stage.rect.top) - stage.px(6)},
+                            ImGuiCond_Always, {0, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, stage.px(1));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, stage.px(6));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(s.field)); // warnings are read on it
+    ImGui::Begin("notice", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(notice.isProblem ? s.warning : s.text));
+    const double width = std::min(0.8 * stage.rect.width, 620 * stage.scale);
+    ImGui::TextUnformatted(brokenAtSpaces(notice.text, static_cast<float>(width)).c_str());
+    ImGui::PopStyleColor();
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
 } // namespace
 
 void drawStatus(const Session& session, const Stage& stage) {
@@ -48,12 +71,16 @@ void drawStatus(const Session& session, const Stage& stage) {
     const auto shown = cutToFit(text, room);
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
-    if (shown != text && ImGui::IsItemHovered()) {
+    const bool cut = shown != text;
+    if (cut && !notice && ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", text.c_str());
     }
     ImGui::SameLine(static_cast<float>(stage.rect.width) - width - stage.px(14));
     ImGui::TextDisabled("%s", right.c_str());
     ImGui::End();
+    if (cut && notice) {
+        drawWhole(*notice, stage);
+    }
 }
 
 void beginPanel(const char* name, const Stage& stage, int moreFlags) {

@@ -29,6 +29,8 @@ constexpr double usualGap = 7;
 constexpr double margin = 8;
 constexpr double linesGap = 9; // around the line above a group
 
+constexpr double roomForUsualSigns = 0.6; // part of the usual side
+
 /// Where the window is low everything comes closer together, so that no button is cut off.
 double squeeze(const Stage& stage) {
     const auto groups = std::ranges::count(buttons, true, &RailButton::startsGroup);
@@ -72,12 +74,14 @@ void drawToolRail(Session& session, const Stage& stage) {
     beginPanel("tools", stage, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, stage.px(part * usualGap)});
+    ImGui::PushFont(font(part < roomForUsualSigns ? Face::small : Face::regular));
     for (const auto& button : buttons) {
         if (button.startsGroup) {
             drawLine(stage, part * linesGap);
         }
         drawButton(session, button, part * usualSide, stage);
     }
+    ImGui::PopFont();
     ImGui::PopStyleVar();
     ImGui::End();
 }
