@@ -97,7 +97,8 @@ void advance(Session& session, double seconds) {
 /// The note at the joint under the pointer.
 void addJointNote(Scene& scene, const Session& session, double scale) {
     const Study* study = session.active();
-    if (study == nullptr || !session.pointerOnCanvas) {
+    if (study == nullptr || !session.pointerOnCanvas ||
+        !session.document().curves[session.view.activeCurve].look.visible) {
         return;
     }
     const Viewport viewport{session.view.camera, session.canvas};

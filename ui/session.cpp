@@ -14,9 +14,27 @@ const Study* Session::active() const {
     return view.activeCurve < studies.size() ? &studies[view.activeCurve] : nullptr;
 }
 
+/// A locked curve that an edit would change or take away, if there is one.
+static const Curve* lockedVictim(const Document& before, const Document& after) {
+    for (const auto& entry : before.curves) {
+        const auto survives = [&entry](const CurveEntry& other) {
+            return other.curve == entry.curve || *other == *entry;
+        };
+        if (entry.look.locked && std::ranges::none_of(after.curves, survives)) {
+            return entry.curve.get();
+        }
+    }
+    return nullptr;
+}
+
 void Session::apply(Edit edit) {
     if (edit.phase == Phase::cancel) {
         history.cancel();
+        return tidy();
+    }
+    if (const Curve* victim = lockedVictim(history.settled(), edit.next)) {
+        history.cancel();
+        complain(victim->name + " is locked: open its lock in the list of curves first");
         return tidy();
     }
     if (const auto problem = problemOf(edit.next)) {
@@ -187,8 +205,9 @@ void Session::tidy() {
         if (id.curve >= shown.curves.size()) {
             return true;
         }
-        const Curve& curve = *shown.curves[id.curve];
-        return id.index >= (id.part == Part::tangent ? curve.tangents : curve.points).size();
+        const auto& entry = shown.curves[id.curve];
+        const auto& list = id.part == Part::tangent ? entry->tangents : entry->points;
+        return id.index >= list.size() || !entry.look.isTouchable();
     };
     std::erase_if(view.selection, gone);
     if (view.hovered && gone(*view.hovered)) {
@@ -196,6 +215,9 @@ void Session::tidy() {
     }
     if (view.exactEntry && gone(*view.exactEntry)) {
         view.exactEntry.reset();
+    }
+    if (view.renaming && view.renaming->curve >= shown.curves.size()) {
+        view.renaming.reset();
     }
     view.ghost.reset();
     const Study* study = active();

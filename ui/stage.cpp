@@ -109,6 +109,7 @@ void applyStyle(const Theme& theme, double scale) {
     style.ScrollbarSize = 10;
     style.ScrollbarRounding = 5;
     style.CellPadding = {4, 2};
+    style.DisabledAlpha = 0.75F; // still to be read
     style.ScaleAllSizes(static_cast<float>(scale));
     const auto set = [&style](int index, Colour colour) { style.Colors[index] = floating(colour); };
     set(ImGuiCol_Text, s.text);

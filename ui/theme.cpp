@@ -99,9 +99,10 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
     case Role::gridCoarse: return mixed(s.text, s.canvas, 0.13);
     case Role::gridAxis: return mixed(s.text, s.canvas, 0.26);
     case Role::gridNumber: return mixed(s.text, s.canvas, 0.5);
-    case Role::curve: return s.text;
+    case Role::curve: return ink.index > 0 ? turn(theme.controls, ink.index - 1) : s.text;
     case Role::otherCurve:
-    case Role::otherControl: return mixed(s.text, s.canvas, 0.47);
+    case Role::otherControl:
+        return ink.index > 0 ? turn(theme.controls, ink.index - 1) : mixed(s.text, s.canvas, 0.47);
     case Role::curveHalo: return mixed(s.accent, s.canvas, 0.3);
     case Role::polygon: return mixed(s.text, s.canvas, 0.5);
     case Role::handleLine: return mixed(s.text, s.canvas, 0.6);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace splineloft::ui {
 namespace {
@@ -72,6 +73,27 @@ std::optional<double> numberField(const char* id, double value, double width) {
     }
     const double wanted = valueOf(now).value_or(std::numeric_limits<double>::quiet_NaN());
     return wanted != value ? std::optional(wanted) : std::nullopt;
+}
+
+Typing textField(const char* id, const std::string& text, float width, bool takeKeyboard) {
+    static std::vector<char> typed; // as in numberField
+    std::vector<char> buffer(std::max<std::size_t>(256, 2 * text.size() + 1));
+    std::ranges::copy(text, buffer.begin());
+    if (takeKeyboard) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputText(id, buffer.data(), buffer.size(), ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemActive()) {
+        typed = buffer;
+        return {.begun = true, .over = false, .text = std::nullopt};
+    }
+    if (!ImGui::IsItemDeactivated()) {
+        return {};
+    }
+    const std::string entered = buffer.data() != text ? buffer.data() : typed.data();
+    const bool wanted = entered != text && !ImGui::IsKeyPressed(escapeKey());
+    return {.begun = true, .over = true, .text = wanted ? std::optional(entered) : std::nullopt};
 }
 
 std::optional<Turned> parameterSlider(const Parameter& parameter, double value,

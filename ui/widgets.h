@@ -23,6 +23,16 @@ struct Turned {
 /// words where it would have gone.
 std::optional<double> numberField(const char* id, double value, double width);
 
+/// What became of a text that is being typed.
+struct Typing {
+    bool begun = false;              ///< the field has the keyboard
+    bool over = false;               ///< it has lost it again
+    std::optional<std::string> text; ///< another than before, where one was entered
+};
+
+/// A field for a text, entered by Enter, Tab or a click elsewhere; Escape leaves the old one.
+Typing textField(const char* id, const std::string& text, float width, bool takeKeyboard);
+
 /// Name, symbol, value and track of one parameter. A mark shows the neutral value, to which the
 /// knob is drawn; a double click returns to it; ratios slide logarithmically; Escape in mid-drag
 /// cancels.

@@ -22,6 +22,7 @@ struct Look {
     bool visible = true;
     bool locked = false;
     int colour = 0; ///< 0 is the usual one; 1 .. curveColours are those of the theme, in turn
+    bool isTouchable() const { return visible && !locked; }
     bool operator==(const Look&) const = default;
 };
 inline constexpr int curveColours = 7;

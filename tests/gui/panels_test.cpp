@@ -302,10 +302,10 @@ TEST(Panels, theCurveListTurnsToACurve) {
     other.points = {{1, 1}};
     Driver driver(documentOf({curveOf("b-spline"), other}));
     driver.session.view.cursor = {5, 0.5};
-    driver.click(Widget{"inspector", {1, "curve##curve"}});
+    driver.click(Widget{"inspector", {"curves", 1, "##name"}});
     EXPECT_EQ(driver.session.view.activeCurve, 1U);
     EXPECT_EQ(driver.faults(), "");
-    driver.click(Widget{"inspector", {0, "curve##curve"}});
+    driver.click(Widget{"inspector", {"curves", 0, "##name"}});
     EXPECT_EQ(driver.session.view.activeCurve, 0U);
 }
 

@@ -28,18 +28,18 @@ class Layout:
 
     window = (1280, 800)
     menu, status, tools, inspector, strip = 32, 28, 46, 312, 208
-    fit_margin = 72  # ui/frame.cpp
+    fit_margin = 72  # ui/refit.cpp
 
     canvas_width = window[0] - tools - inspector
     canvas_height = window[1] - menu - status - strip
     canvas_middle = (tools + canvas_width / 2, menu + canvas_height / 2)
 
-    # In the inspector, for a curve of the family `cardinal`.
-    family_list = (1120, 75)
-    family_first, family_step = 105.5, 22
-    tension_track = (984, 1264, 188)  # left end, right end, y
+    # In the inspector, for one curve of the family `cardinal`.
+    family_list = (1120, 148)
+    family_first, family_step = 178.5, 22
+    tension_track = (984, 1264, 261)  # left end, right end, y
     tension_range = (0, 2)
-    first_x_field = (1090, 507)  # of P0, with three joints above it
+    first_x_field = (1090, 580)  # of P0, with three joints above it
 
     # The question about unsaved changes, in the middle of the window.
     question = {"Save": (504, 430), "Don't save": (640, 430), "Cancel": (776, 430)}

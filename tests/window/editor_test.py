@@ -197,6 +197,19 @@ class HighResolution(WithDocument):
         self.assertEqual(curve["parameters"], {"tension": 1})
 
 
+class Presenting(WithDocument):
+    def test_f11_fills_the_monitor_and_gives_everything_back(self):
+        editor = self.open(screen=self.screen((1920, 1080)))
+        for leave in ("F11", "Escape"):
+            editor.keys("F11")
+            eventually(lambda: editor.size == (1920, 1080), "the window fills the monitor")
+            editor.keys(leave)
+            eventually(lambda: editor.size == Layout.window, "the window is as large as before")
+            editor.settle()
+        editor.drag(at(POINTS[1]), beside(POINTS[1], 67, 43))
+        self.assertEqual(self.curve(editor)["points"][1], moved(POINTS[1], 67, 43))
+
+
 class Files(WithDocument):
     def test_save_as_takes_a_typed_name_and_goes_on_under_it(self):
         editor = self.open()

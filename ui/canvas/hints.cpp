@@ -21,7 +21,8 @@ std::string nameOf(const Document& document, const std::vector<PointId>& ids) {
 /// What a click of the pen would do.
 static std::string penHint(const View& view, const Document& document) {
     const bool going = view.tool == Tool::pen && view.activeCurve < document.curves.size() &&
-                       !document.curves[view.activeCurve]->closed;
+                       !document.curves[view.activeCurve]->closed &&
+                       document.curves[view.activeCurve].look.isTouchable();
     if (!going) {
         return document.curves.empty() ? "Click to begin a curve · Enter or Esc ends"
                                        : "Click to begin another curve · Enter or Esc ends";

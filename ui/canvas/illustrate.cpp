@@ -36,12 +36,14 @@ class Illustration {
 
     void otherCurves() {
         for (std::size_t i = 0; i < s_.studies.size(); ++i) {
-            if (i == view_.activeCurve) {
+            const Look& look = s_.live.curves[i].look;
+            if (i == view_.activeCurve || !look.visible) {
                 continue;
             }
-            stroke(outline(s_.studies[i].plane(view_.axes), viewport_), {Role::otherCurve});
+            stroke(outline(s_.studies[i].plane(view_.axes), viewport_),
+                   {Role::otherCurve, look.colour});
             for (const auto& place : controlPlaces(s_.studies[i].curve(), view_.axes)) {
-                mark(place, shapeOf(s_.studies[i], 0), {Role::otherControl});
+                mark(place, shapeOf(s_.studies[i], 0), {Role::otherControl, look.colour});
             }
         }
     }
@@ -58,7 +60,7 @@ class Illustration {
             polygon(study);
         }
         handles(study);
-        stroke(line, {Role::curve});
+        stroke(line, {Role::curve, s_.live.curves[view_.activeCurve].look.colour});
     }
 
     void ladder(const Study& study) {
@@ -393,7 +395,8 @@ Scene illustrate(const View& view, const Gesture& gesture, const Situation& situ
     Illustration drawing(view, situation);
     drawing.grid();
     drawing.otherCurves();
-    if (view.activeCurve < situation.studies.size()) {
+    if (view.activeCurve < situation.studies.size() &&
+        situation.live.curves[view.activeCurve].look.visible) {
         const Study& study = situation.studies[view.activeCurve];
         drawing.activeCurve(study);
         if (view.layers.beads) {

@@ -31,6 +31,9 @@ template <class Visit>
 void eachUnder(const Document& document, const View& view, const Viewport& viewport, ScreenPoint at,
                double scale, Visit visit) {
     for (std::size_t c = 0; c < document.curves.size(); ++c) {
+        if (!document.curves[c].look.isTouchable()) {
+            continue;
+        }
         const Curve& curve = *document.curves[c];
         const auto offer = [&](const PointId& id, PlanePoint place) {
             const double away = screenDistance(viewport.toScreen(place), at);
@@ -48,12 +51,16 @@ void eachUnder(const Document& document, const View& view, const Viewport& viewp
     }
 }
 
-std::optional<CurveHit> pickCurve(const Studies& studies, const View& view,
-                                  const Viewport& viewport, ScreenPoint at, double reach) {
+std::optional<CurveHit> pickCurve(const Document& document, const Studies& studies,
+                                  const View& view, const Viewport& viewport, ScreenPoint at,
+                                  double reach) {
     const PlanePoint place = viewport.toPlane(at);
     std::optional<CurveHit> hit;
     double best = viewport.toPlane(reach);
     for (std::size_t i = 0; i < studies.size(); ++i) {
+        if (!document.curves[i].look.isTouchable()) {
+            continue;
+        }
         const auto nearest = nearestTo(studies[i].plane(view.axes), Point{place.x, place.y}, best);
         if (nearest) {
             hit = {i, nearest->spot};
@@ -75,7 +82,7 @@ Hit pick(const Document& document, const Studies& studies, const View& view,
     if (best.point) {
         return {best.point, std::nullopt};
     }
-    return {std::nullopt, pickCurve(studies, view, viewport, at, curveReach * scale)};
+    return {std::nullopt, pickCurve(document, studies, view, viewport, at, curveReach * scale)};
 }
 
 std::vector<PointId> pointsUnder(const Document& document, const View& view,
@@ -90,6 +97,9 @@ std::set<PointId> pointsInside(const Document& document, const View& view, const
                                const ScreenRect& rect) {
     std::set<PointId> inside;
     for (std::size_t c = 0; c < document.curves.size(); ++c) {
+        if (!document.curves[c].look.isTouchable()) {
+            continue;
+        }
         const auto places = controlPlaces(*document.curves[c], view.axes);
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (rect.contains(viewport.toScreen(places[i]))) {

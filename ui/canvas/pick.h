@@ -25,8 +25,8 @@ struct Hit {
     std::optional<CurveHit> curve;
 };
 
-/// Looks under `at`. Where things lie on top of one another the selected one wins, then one of the
-/// active curve, then the nearest.
+/// Looks under `at`, at the curves that hands may touch. Where things lie on top of one another the
+/// selected one wins, then one of the active curve, then the nearest.
 Hit pick(const Document& document, const Studies& studies, const View& view,
          const Viewport& viewport, ScreenPoint at, double scale);
 
@@ -35,7 +35,7 @@ Hit pick(const Document& document, const Studies& studies, const View& view,
 std::vector<PointId> pointsUnder(const Document& document, const View& view,
                                  const Viewport& viewport, ScreenPoint at, double scale);
 
-/// All control points (not tangents) inside a rectangle.
+/// All control points (not tangents) inside a rectangle, of the curves that hands may touch.
 std::set<PointId> pointsInside(const Document& document, const View& view, const Viewport& viewport,
                                const ScreenRect& rect);
 

@@ -15,14 +15,14 @@ enum class Role {
     gridCoarse,
     gridAxis,
     gridNumber,
-    curve,      ///< the active curve
-    otherCurve, ///< the others
+    curve,      ///< the active curve; the index is the colour of its look
+    otherCurve, ///< the others, with theirs
     curveHalo,  ///< the active curve under the pointer
     polygon,
     handleLine,
     control,      ///< a control point, in its own colour
     handle,       ///< a handle or the tip of a tangent, in its own colour
-    otherControl, ///< of a curve that is not active
+    otherControl, ///< of a curve that is not active; the index is the colour of its look
     selected,
     hovered,
     ghost,

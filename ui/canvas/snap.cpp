@@ -17,6 +17,9 @@ std::optional<PlanePoint> nearbyPoint(PlanePoint wanted, const std::vector<Point
     std::optional<PlanePoint> found;
     double best = s.viewport.toPlane(snapReach * s.scale);
     for (std::size_t c = 0; c < s.settled.curves.size(); ++c) {
+        if (!s.settled.curves[c].look.visible) {
+            continue;
+        }
         const auto places = controlPlaces(*s.settled.curves[c], view.axes);
         for (std::size_t i = 0; i < places.size(); ++i) {
             const double away = std::hypot(places[i].x - wanted.x, places[i].y - wanted.y);

@@ -79,6 +79,12 @@ struct Grip {
 inline constexpr double usualStrip = 208;
 inline constexpr double usualInspector = 312;
 
+/// A curve whose name is being typed.
+struct Renaming {
+    std::size_t curve = 0;
+    bool begun = false; ///< its field has the keyboard
+};
+
 struct View {
     Camera camera;
     bool fitPending = true; ///< the next frame fits the document into the canvas
@@ -88,6 +94,7 @@ struct View {
     ThemeKind theme = ThemeKind::dark;
 
     std::size_t activeCurve = 0;
+    std::optional<Renaming> renaming;
     std::set<PointId> selection;
     std::optional<PointId> hovered;
     std::optional<Spot> ghost; ///< where a double click on the active curve would insert

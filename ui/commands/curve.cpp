@@ -1,6 +1,7 @@
 // The Curve and Family menus.
 #include "ui/commands/menus.h"
 
+#include "core/document/curve_edits.h"
 #include "core/document/edits.h"
 #include "core/spline/catalog.h"
 #include "core/spline/change/convert.h"
@@ -35,6 +36,64 @@ void makeGraph(Session& session) {
                    Phase::commit, "Make it y = f(x)"});
 }
 
+/// Another look for the active curve.
+template <class Change> void look(Session& session, Change change, const std::string& label) {
+    const auto curve = session.view.activeCurve;
+    Look next = session.document().curves[curve].look;
+    change(next);
+    session.apply({setLook(session.history.settled(), curve, next), Phase::commit, label});
+}
+
+const Look& activeLook(const Session& session) {
+    return session.document().curves[session.view.activeCurve].look;
+}
+
+void addLooks(std::vector<Command>& all) {
+    all.push_back({"curve.rename",
+                   "Curve",
+                   called("Rename the curve"),
+                   {{Key::f2}},
+                   [](Session& s) { s.view.renaming = Renaming{s.view.activeCurve}; },
+                   [](const Session& s) { return canEditCurve(s) && !s.view.presenting; }});
+    all.back().startsGroup = true;
+    all.back().contexts = {Context::curve};
+    all.push_back({"curve.visible",
+                   "Curve",
+                   called("Show the curve"),
+                   {},
+                   [](Session& s) {
+                       look(
+                           s, [](Look& l) { l.visible = !l.visible; },
+                           activeLook(s).visible ? "Hide the curve" : "Show the curve");
+                   },
+                   hasCurve,
+                   [](const Session& s) { return hasCurve(s) && activeLook(s).visible; }});
+    all.back().contexts = {Context::curve};
+    all.push_back({"curve.locked",
+                   "Curve",
+                   called("Lock the curve"),
+                   {},
+                   [](Session& s) {
+                       look(
+                           s, [](Look& l) { l.locked = !l.locked; },
+                           activeLook(s).locked ? "Unlock the curve" : "Lock the curve");
+                   },
+                   hasCurve,
+                   [](const Session& s) { return hasCurve(s) && activeLook(s).locked; }});
+    all.back().contexts = {Context::curve};
+    all.push_back({"curve.colour",
+                   "Curve",
+                   called("Next colour"),
+                   {},
+                   [](Session& s) {
+                       look(
+                           s, [](Look& l) { l.colour = (l.colour + 1) % (curveColours + 1); },
+                           "Colour the curve");
+                   },
+                   hasCurve});
+    all.back().contexts = {Context::curve};
+}
+
 } // namespace
 
 void addCurveCommands(std::vector<Command>& all) {
@@ -67,17 +126,18 @@ void addCurveCommands(std::vector<Command>& all) {
                    {{Key::enter}, {Key::keypadEnter}},
                    [](Session& s) { s.view.tool = Tool::select; },
                    [](const Session& s) { return s.view.tool != Tool::select; }});
-    all.push_back({"curve.closed",
-                   "Curve",
-                   called("Closed"),
-                   {{Key::c}},
-                   [](Session& s) {
-                       const bool closed = s.active()->curve().closed;
-                       s.apply({setClosed(s.history.settled(), s.view.activeCurve, !closed),
-                                Phase::commit, closed ? "Open the curve" : "Close the curve"});
-                   },
-                   [](const Session& s) { return hasCurve(s) && s.active()->family().closable; },
-                   [](const Session& s) { return hasCurve(s) && s.active()->curve().closed; }});
+    all.push_back(
+        {"curve.closed",
+         "Curve",
+         called("Closed"),
+         {{Key::c}},
+         [](Session& s) {
+             const bool closed = s.active()->curve().closed;
+             s.apply({setClosed(s.history.settled(), s.view.activeCurve, !closed), Phase::commit,
+                      closed ? "Open the curve" : "Close the curve"});
+         },
+         [](const Session& s) { return canEditCurve(s) && s.active()->family().closable; },
+         [](const Session& s) { return hasCurve(s) && s.active()->curve().closed; }});
     all.back().startsGroup = true;
     all.back().contexts = {Context::point, Context::curve};
     all.push_back({"curve.toBezierSpline",
@@ -85,7 +145,7 @@ void addCurveCommands(std::vector<Command>& all) {
                    called("Turn into a Bézier spline of the same shape"),
                    {},
                    turnIntoBezierSpline,
-                   hasPieces});
+                   [](const Session& s) { return hasPieces(s) && canEditCurve(s); }});
     all.back().contexts = {Context::curve};
     all.push_back({"curve.graph",
                    "Curve",
@@ -93,7 +153,7 @@ void addCurveCommands(std::vector<Command>& all) {
                    {},
                    makeGraph,
                    [](const Session& s) {
-                       if (!hasPieces(s)) {
+                       if (!hasPieces(s) || !canEditCurve(s)) {
                            return false;
                        }
                        const Curve& curve = s.active()->curve();
@@ -109,8 +169,9 @@ void addCurveCommands(std::vector<Command>& all) {
                        s.apply({removeCurve(s.history.settled(), s.view.activeCurve), Phase::commit,
                                 "Delete the curve"});
                    },
-                   hasCurve});
+                   canEditCurve});
     all.back().contexts = {Context::curve};
+    addLooks(all);
     int digit = 0;
     for (const auto& family : catalog()) {
         ++digit;
@@ -126,7 +187,7 @@ void addCurveCommands(std::vector<Command>& all) {
                  s.apply({setFamily(s.history.settled(), s.view.activeCurve, id), Phase::commit,
                           "Draw as " + name});
              },
-             hasCurve,
+             canEditCurve,
              [id](const Session& s) { return hasCurve(s) && s.active()->curve().family == id; }});
         all.back().contexts = {Context::point, Context::curve};
     }

@@ -137,14 +137,14 @@ void addEditCommands(std::vector<Command>& all) {
                    called("Insert a point at u"),
                    {{Key::i}},
                    insertAtCursor,
-                   hasPieces});
+                   [](const Session& s) { return hasPieces(s) && canEditCurve(s); }});
     all.back().contexts = {Context::curve};
     all.push_back({"edit.selectAll",
                    "Edit",
                    called("Select all points of the curve"),
                    {{Key::a, controlKey}},
                    selectAll,
-                   hasCurve});
+                   canEditCurve});
     all.back().contexts = {Context::point, Context::curve};
     all.push_back({"edit.selectNext",
                    "Edit",

@@ -17,6 +17,8 @@ inline auto called(std::string name) {
 /// Keys edit what is settled; while a hand shows what is not, they wait.
 bool handsOff(const Session& session);
 bool hasCurve(const Session& session);
+/// Whether hands may touch the active curve.
+bool canEditCurve(const Session& session);
 bool hasPieces(const Session& session);
 bool hasSelection(const Session& session);
 std::vector<PointId> selected(const Session& session);

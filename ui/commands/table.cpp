@@ -54,6 +54,11 @@ bool hasCurve(const Session& session) {
     return session.active() != nullptr && handsOff(session);
 }
 
+bool canEditCurve(const Session& session) {
+    return hasCurve(session) &&
+           session.document().curves[session.view.activeCurve].look.isTouchable();
+}
+
 bool hasPieces(const Session& session) {
     return hasCurve(session) && !session.active()->pieces().empty();
 }

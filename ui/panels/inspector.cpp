@@ -23,22 +23,40 @@ class Inspector {
     std::optional<Edit> edit() { return std::move(edit_); }
 
     void curves() {
-        const auto& all = session_.document().curves;
-        if (all.size() < 2) {
-            return;
-        }
+        ImGui::AlignTextToFramePadding();
         heading("Curves");
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            ImGui::PushID(static_cast<int>(i));
-            const auto label = all[i]->name + "##curve";
-            if (ImGui::Selectable(label.c_str(), i == view_.activeCurve)) {
-                view_.activeCurve = i;
-                view_.selection.clear();
-                view_.cursor = {};
-            }
-            ImGui::PopID();
+        const std::string words = "+ New";
+        ImGui::SameLine(ImGui::GetCursorStartPos().x + ImGui::GetContentRegionAvail().x -
+                        quietButtonWidth(words, stage_));
+        if (quietButton(words.c_str(), view_.tool == Tool::newCurve, stage_)) {
+            view_.tool = Tool::newCurve;
         }
-        ImGui::Spacing();
+        explain("Click on the canvas to begin another curve (Shift+P)");
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - stage_.px(6)); // the rows have their own air
+        if (auto edit = drawCurves(session_, view_, stage_)) {
+            edit_ = std::move(edit);
+        }
+        ImGui::Dummy({0, stage_.px(8)});
+    }
+
+    /// All that can be said and set of a curve; said only, where it is locked.
+    void activeCurve(const Study& study) {
+        const bool locked = session_.document().curves[view_.activeCurve].look.locked;
+        if (locked) {
+            quietText("Locked: nothing here can be changed until its lock is opened.", stage_);
+            ImGui::Spacing();
+        }
+        ImGui::BeginDisabled(locked);
+        family(study);
+        parameters(study);
+        ends(study);
+        ImGui::EndDisabled();
+        traits(study);
+        axes(study);
+        ImGui::BeginDisabled(locked);
+        selection();
+        points(study);
+        ImGui::EndDisabled();
     }
 
     void family(const Study& study) {
@@ -303,13 +321,7 @@ std::optional<Edit> drawInspector(const Session& session, View& view, const Stag
     Inspector inspector(session, view, stage);
     if (const Study* study = session.active()) {
         inspector.curves();
-        inspector.family(*study);
-        inspector.parameters(*study);
-        inspector.ends(*study);
-        inspector.traits(*study);
-        inspector.axes(*study);
-        inspector.selection();
-        inspector.points(*study);
+        inspector.activeCurve(*study);
     } else {
         quietText(
             "No curve yet. Press P and click on the canvas to lay down points, or open a file "

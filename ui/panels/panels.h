@@ -19,6 +19,9 @@ void drawToolRail(Session& session, const Stage& stage);
 /// Curves, family, parameters, ends, traits, joints, points.
 std::optional<Edit> drawInspector(const Session& session, View& view, const Stage& stage);
 
+/// The curves by name, with their looks.
+std::optional<Edit> drawCurves(const Session& session, View& view, const Stage& stage);
+
 /// The table of a curve's points, with their weights and local parameters.
 std::optional<Edit> drawPoints(const Session& session, View& view, const Study& study,
                                const Stage& stage);

@@ -49,7 +49,8 @@ Reaction pressWithPen(const View& view, const PointerEvent& event, const Situati
     const PlanePoint at = tidied(s.viewport.toPlane(event.at), s.viewport.camera);
     Reaction reaction = stay(Idle{}, view);
     const bool going = view.tool == Tool::pen && view.activeCurve < s.settled.curves.size() &&
-                       !s.settled.curves[view.activeCurve]->closed;
+                       !s.settled.curves[view.activeCurve]->closed &&
+                       s.settled.curves[view.activeCurve].look.isTouchable();
     const auto under = pick(s.live, s.studies, view, s.viewport, event.at, s.scale).point;
     if (going && under == PointId{view.activeCurve, 0, Part::point} &&
         familyOf(*s.settled.curves[view.activeCurve]).closable &&
