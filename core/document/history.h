@@ -10,10 +10,13 @@
 namespace splineloft {
 
 /// One drag is one step: previews change only what is live, a commit settles it. A commit that
-/// changes nothing leaves no step.
+/// changes nothing leaves no step. Beyond 2,000 steps, or so many bytes of curves that no other
+/// step shares, the oldest steps are forgotten; the last one never is.
 class History {
   public:
-    explicit History(Document document = {});
+    static constexpr std::size_t usualBytes = 512U << 20;
+
+    explicit History(Document document = {}, std::size_t mostBytes = usualBytes);
 
     /// The document as of the last finished edit.
     const Document& settled() const { return states_[now_].document; }
@@ -38,11 +41,16 @@ class History {
   private:
     struct State {
         Document document;
-        std::string label; ///< of the step that led here
+        std::string label;     ///< of the step that led here
+        std::size_t bytes = 0; ///< of its curves that the state before does not have
     };
+
+    void forgetOldest();
 
     static constexpr std::size_t mostSteps = 2000;
 
+    std::size_t mostBytes_;
+    std::size_t bytes_ = 0; ///< of all states
     std::deque<State> states_;
     std::size_t now_ = 0;
     Document preview_;

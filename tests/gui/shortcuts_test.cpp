@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <list>
 #include <set>
 #include <utility>
 
@@ -15,8 +16,8 @@ namespace splineloft::ui {
 namespace {
 
 /// Sessions in all the states in which keys may mean something.
-std::vector<Session> situations() {
-    std::vector<Session> all;
+std::list<Session> situations() {
+    std::list<Session> all;
     for (const auto& document : {Document{}, documentOf({curveOf("bezier-spline")}),
                                  documentOf({curveOf("hermite", true)}),
                                  documentOf({curveOf("linear"), curveOf("natural")})}) {

@@ -136,6 +136,57 @@ TEST(History, isAListOfStates) {
     }
 }
 
+/// A document of one curve of so many points, all at `x`.
+Document longDocument(std::size_t points, double x) {
+    Curve curve;
+    curve.points = Points(2);
+    for (std::size_t i = 0; i < points; ++i) {
+        curve.points.append(Point{x, 0});
+    }
+    Document document;
+    document.curves = {std::make_shared<Curve>(curve)};
+    return document;
+}
+
+TEST(History, forgetsTheOldestStepsBeyondSoManyBytes) {
+    History history(longDocument(1000, 0), 10 * 16'000 + 10'000);
+    for (int i = 1; i <= 50; ++i) {
+        history.commit(longDocument(1000, i), "step");
+    }
+    int steps = 0;
+    for (; history.canUndo(); history.undo()) {
+        ++steps;
+    }
+    EXPECT_GE(steps, 8);
+    EXPECT_LE(steps, 10);
+    EXPECT_EQ(history.settled(), longDocument(1000, 50 - steps));
+}
+
+TEST(History, curvesThatAreSharedCountOnce) {
+    const Document large = longDocument(1000, 0);
+    History history(large, 40'000);
+    for (int i = 1; i <= 1000; ++i) {
+        Document next = large; // shares its curve
+        next.extras = "{\"number\":" + std::to_string(i) + "}";
+        history.commit(std::move(next), "step");
+    }
+    int steps = 0;
+    for (; history.canUndo(); history.undo()) {
+        ++steps;
+    }
+    EXPECT_EQ(steps, 1000);
+}
+
+TEST(History, keepsTheLastStepHoweverLarge) {
+    History history(longDocument(1000, 0), 1);
+    history.commit(longDocument(1000, 1), "step");
+    history.commit(longDocument(1000, 2), "step");
+    ASSERT_TRUE(history.canUndo());
+    history.undo();
+    EXPECT_EQ(history.settled(), longDocument(1000, 1));
+    EXPECT_FALSE(history.canUndo());
+}
+
 TEST(Document, equalityLooksIntoTheCurves) {
     EXPECT_EQ(numbered(4), numbered(4)) << "not the same memory, but the same curve";
     EXPECT_NE(numbered(4), numbered(5));
