@@ -275,7 +275,9 @@ Result<Done> saveFile(const fs::path& path, std::string_view text) {
         return Done{};
     }
     if (error == ENOENT) {
-        return Refusal{path.string(), "", "its folder does not exist", "a folder that does"};
+        const std::string folder =
+            *target == path ? "its folder" : "the folder that its link leads to";
+        return Refusal{path.string(), "", folder + " does not exist", "a folder that does"};
     }
     return refusal(path, error);
 }

@@ -31,4 +31,16 @@ std::string_view JsonValue::text() const {
     return std::string_view(tape_->letters_).substr(where.start, where.length);
 }
 
+std::optional<JsonValue> memberOf(const JsonValue& object, std::string_view key) {
+    std::optional<JsonValue> found;
+    if (object.kind() == JsonKind::object) {
+        forEachMember(object, [&](std::string_view name, const JsonValue& value) {
+            if (name == key) {
+                found = value;
+            }
+        });
+    }
+    return found;
+}
+
 } // namespace splineloft

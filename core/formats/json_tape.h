@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,6 +87,22 @@ class JsonValue {
     std::size_t at_;
 };
 
+/// Calls `visit(key, value)` for every member of an object, in their order.
+template <class Visit> void forEachMember(const JsonValue& object, Visit visit) {
+    for (auto entry = object.inside(); !object.ends(entry);) {
+        const auto value = entry.next();
+        visit(entry.text(), value);
+        entry = value.next();
+    }
+}
+
+/// Calls `visit(value)` for every entry of an array, in their order.
+template <class Visit> void forEachEntry(const JsonValue& array, Visit visit) {
+    for (auto entry = array.inside(); !array.ends(entry); entry = entry.next()) {
+        visit(entry);
+    }
+}
+
 /// All values of a text.
 class JsonTape {
   public:
@@ -103,6 +120,9 @@ class JsonTape {
     std::string keptText_;
 };
 
+/// The member of that key; nothing where `object` has none, or is no object.
+std::optional<JsonValue> memberOf(const JsonValue& object, std::string_view key);
+
 /// Which member of the outermost object is kept as text.
 struct KeptMember {
     std::string_view key;
@@ -111,7 +131,7 @@ struct KeptMember {
 
 /// Reads a text. An object that is the kept member is kept as text, tidied but with every number
 /// spelled as it was; on the tape it is empty but for its exception.
-Result<JsonTape> readJson(std::string_view text, const KeptMember& kept);
+Result<JsonTape> readJson(std::string_view text, const KeptMember& kept = {});
 
 /// Tidies the text of one JSON object: our layout, numbers spelled as they were.
 Result<std::string> tidyObject(std::string_view text);

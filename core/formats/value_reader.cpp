@@ -38,11 +38,9 @@ bool ValueReader::expect(const JsonValue& value, JsonKind kind, const JsonPlace&
 ValueReader::Members ValueReader::membersOf(const JsonValue& object, const JsonPlace& place) {
     Members members;
     if (expect(object, JsonKind::object, place)) {
-        for (auto entry = object.inside(); !object.ends(entry);) {
-            const auto value = entry.next();
-            members.emplace(entry.text(), value);
-            entry = value.next();
-        }
+        forEachMember(object, [&](std::string_view key, const JsonValue& value) {
+            members.emplace(key, value);
+        });
     }
     return members;
 }

@@ -2,6 +2,7 @@
 // are real ones: file size limits, read-only folders, a full and a read-only file system, kill -9.
 #include "core/formats/file.h"
 #include "core/formats/json_tape.h"
+#include "tests/unit/child_process.h"
 #include "tests/unit/comma_locale.h"
 
 #include <gtest/gtest.h>
@@ -39,36 +40,6 @@ mode_t permissions(const fs::path& path) {
     struct stat status{};
     ::stat(path.c_str(), &status);
     return status.st_mode & 07777;
-}
-
-/// What became of a function that ran in a process of its own.
-struct Ending {
-    bool couldStart = false; ///< `prepare` answered true
-    std::string said;
-};
-
-/// Runs `prepare` and, where that answers true, `act` in a child process, which may give up rights
-/// or mount file systems without a trace here. The result is what `act` returned.
-Ending inChild(const std::function<bool()>& prepare, const std::function<std::string()>& act) {
-    int ends[2];
-    if (::pipe(ends) != 0) {
-        return {};
-    }
-    const auto child = ::fork();
-    if (child == 0) {
-        const std::string said = prepare() ? "+" + act() : "-";
-        [[maybe_unused]] const auto count = ::write(ends[1], said.data(), said.size());
-        ::_exit(0);
-    }
-    ::close(ends[1]);
-    std::string said;
-    char letter = 0;
-    while (::read(ends[0], &letter, 1) == 1) {
-        said += letter;
-    }
-    ::close(ends[0]);
-    ::waitpid(child, nullptr, 0);
-    return {said.starts_with('+'), said.empty() ? "" : said.substr(1)};
 }
 
 /// The refusal of a save in words, or "saved".
@@ -203,23 +174,13 @@ TEST_F(Save, writesToDevicesInsteadOfReplacingThem) {
 
 TEST_F(Save, keepsTheOldFileWhereTheNewOneDoesNotFit) {
     put(file_, "old");
-    const auto limited = [] {
-        std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{1000, 1000};
-        return ::setrlimit(RLIMIT_FSIZE, &limit) == 0;
-    };
-    const auto ending = inChild(limited, [&] { return outcome(file_, std::string(5000, 'x')); });
+    const auto ending = inChild([] { return limitFiles(1000); },
+                                [&] { return outcome(file_, std::string(5000, 'x')); });
     ASSERT_TRUE(ending.couldStart);
     EXPECT_CONTAINS(ending.said, "too large");
     EXPECT_CONTAINS(ending.said, file_.string());
     EXPECT_EQ(contents(file_), "old");
     EXPECT_EQ(names(), std::set<std::string>{"path.json"});
-}
-
-/// Become somebody without special rights, where this process has them.
-bool becomeNobody() {
-    constexpr uid_t nobody = 65534;
-    return ::geteuid() != 0 || (::setgid(nobody) == 0 && ::setuid(nobody) == 0);
 }
 
 TEST_F(Save, keepsTheOldFileInAReadOnlyFolder) {
@@ -241,31 +202,6 @@ TEST_F(Save, respectsWriteProtectedFiles) {
     ASSERT_TRUE(ending.couldStart);
     EXPECT_CONTAINS(ending.said, "permission denied");
     EXPECT_EQ(contents(file_), "old");
-}
-
-/// This process gets mounts of its own; without root's rights by being root among its own users.
-bool mayMount() {
-    const auto user = std::to_string(::geteuid());
-    const auto group = std::to_string(::getegid());
-    if (::unshare(CLONE_NEWNS) == 0) {
-        return true;
-    }
-    if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) {
-        return false;
-    }
-    put("/proc/self/setgroups", "deny");
-    put("/proc/self/uid_map", "0 " + user + " 1");
-    put("/proc/self/gid_map", "0 " + group + " 1");
-    return true;
-}
-
-/// A small file system of its own, mounted at `folder`, seen by this process alone.
-bool mountSmall(const fs::path& folder) {
-    if (!mayMount()) {
-        return false;
-    }
-    ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
-    return ::mount("none", folder.c_str(), "tmpfs", 0, "size=16k,mode=777") == 0;
 }
 
 #define NEED_MOUNT(ending)                                                                         \
