@@ -23,44 +23,18 @@ void sweepBeside(const std::string& path) {
     sweepStaleTemporaries(fs::absolute(path, failed).parent_path());
 }
 
-void carryOut(ui::Session& session, const ui::OpenFile& request) {
-    auto document = openDocument(request.path, std::cin);
-    if (!document) {
-        return session.complain(document.refusal().message());
-    }
-    sweepBeside(request.path);
-    session.opened(std::move(*document), request.path);
-    session.say("Opened " + request.path);
+/// Adds the curves of another file's document.
+void add(ui::Session& session, const Document& more, const std::string& path) {
+    Document next = session.history.settled();
+    next.curves.insert(next.curves.end(), more.curves.begin(), more.curves.end());
+    session.apply({std::move(next), ui::Phase::commit,
+                   "Add the curves of " + fs::path(path).filename().string()});
 }
 
-void carryOut(ui::Session& session, const ui::SaveFile& request) {
-    const auto done = saveFile(request.path, writeDocument(session.history.settled()));
-    if (done) {
-        session.wasSaved(request.path);
-    } else {
-        session.complain(done.refusal().message());
-    }
-}
-
-void carryOut(ui::Session& session, const ui::ExportSamples& request) {
-    const ui::Study* study = session.active();
-    if (study == nullptr) {
-        return session.complain("There is no curve to take samples of.");
-    }
-    const EvenSamples even{static_cast<std::size_t>(request.count),
-                           request.even == Even::length ? EvenSamples::In::length
-                                                        : EvenSamples::In::parameter};
-    const auto path = sampledPath(study->curve(), even);
-    if (!path) {
-        return session.complain(path.refusal().message());
-    }
-    const bool json = fs::path(request.path).extension() == ".json";
-    const auto done = saveFile(request.path, json ? samplesAsJson(*path) : samplesAsCsv(*path));
-    if (done) {
-        session.say("Exported " + std::to_string(request.count) + " samples to " + request.path);
-    } else {
-        session.complain(done.refusal().message());
-    }
+/// "a", or "a and 2 more".
+std::string listed(const std::vector<std::string>& paths) {
+    return paths.front() +
+           (paths.size() > 1 ? " and " + std::to_string(paths.size() - 1) + " more" : "");
 }
 
 } // namespace
@@ -93,29 +67,65 @@ Result<ui::Session> beginSession(const std::vector<std::string>& files) {
         if (!more) {
             return more.refusal();
         }
-        Document next = session.history.settled();
-        next.curves.insert(next.curves.end(), more->curves.begin(), more->curves.end());
-        session.apply({std::move(next), ui::Phase::commit,
-                       "Add the curves of " + fs::path(files[i]).filename().string()});
+        add(session, *more, files[i]);
     }
     return session;
 }
 
-bool carryOutRequests(ui::Session& session) {
-    for (const auto& request : std::exchange(session.requests, {})) {
-        if (std::holds_alternative<ui::Quit>(request)) {
-            return false;
-        }
-        if (const auto* open = std::get_if<ui::OpenFile>(&request)) {
-            carryOut(session, *open);
-        } else if (const auto* save = std::get_if<ui::SaveFile>(&request)) {
-            carryOut(session, *save);
-        } else if (const auto* samples = std::get_if<ui::ExportSamples>(&request)) {
-            carryOut(session, *samples);
+std::vector<std::string> openTogether(ui::Session& session, const std::vector<std::string>& paths) {
+    std::vector<std::string> opened;
+    std::string refused;
+    for (const auto& path : paths) {
+        auto document = openDocument(path, std::cin);
+        if (!document) {
+            refused += (refused.empty() ? "" : "; ") + document.refusal().message();
+        } else if (opened.empty()) {
+            sweepBeside(path);
+            session.opened(std::move(*document), path);
+            opened.push_back(path);
+        } else {
+            add(session, *document, path);
+            opened.push_back(path);
         }
     }
-    // A save may lead on to what it was for.
-    return session.requests.empty() || carryOutRequests(session);
+    if (!opened.empty()) {
+        session.say("Opened " + listed(opened));
+    }
+    if (!refused.empty()) {
+        session.complain(refused);
+    }
+    return opened;
+}
+
+bool saveTo(ui::Session& session, const std::string& path) {
+    const auto done = saveFile(path, writeDocument(session.history.settled()));
+    if (done) {
+        session.wasSaved(path);
+    } else {
+        session.saveFailed(done.refusal().message());
+    }
+    return static_cast<bool>(done);
+}
+
+void exportSamples(ui::Session& session, const ui::ExportSamples& request) {
+    const ui::Study* study = session.active();
+    if (study == nullptr) {
+        return session.complain("There is no curve to take samples of.");
+    }
+    const EvenSamples even{static_cast<std::size_t>(request.count),
+                           request.even == Even::length ? EvenSamples::In::length
+                                                        : EvenSamples::In::parameter};
+    const auto path = sampledPath(study->curve(), even);
+    if (!path) {
+        return session.complain(path.refusal().message());
+    }
+    const bool json = fs::path(request.path).extension() == ".json";
+    const auto done = saveFile(request.path, json ? samplesAsJson(*path) : samplesAsCsv(*path));
+    if (done) {
+        session.say("Exported " + std::to_string(request.count) + " samples to " + request.path);
+    } else {
+        session.complain(done.refusal().message());
+    }
 }
 
 } // namespace splineloft::app

@@ -17,7 +17,13 @@ Document exampleDocument();
 /// there is none. A file that does not exist yet is begun; one that is refused is left alone.
 Result<ui::Session> beginSession(const std::vector<std::string>& files);
 
-/// Carries out all requests of the session. False: the program is to end.
-bool carryOutRequests(ui::Session& session);
+/// Opens the first file that can be read and adds the curves of the others, naming those that
+/// cannot. Returns the paths of those that could; where there are none, the document stays.
+std::vector<std::string> openTogether(ui::Session& session, const std::vector<std::string>& paths);
+
+/// Saves the document. Whether that went well; if not, the file is as it was.
+bool saveTo(ui::Session& session, const std::string& path);
+
+void exportSamples(ui::Session& session, const ui::ExportSamples& request);
 
 } // namespace splineloft::app

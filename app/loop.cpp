@@ -2,18 +2,17 @@
 
 #include "app/imgui_versions.h"
 #include "app/interface.h"
+#include "app/moment.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace splineloft::app {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
 
 // Dear ImGui shows the whole effect of an event only some frames later.
 constexpr int settlingFrames = 3;
@@ -32,13 +31,19 @@ constexpr double shortestStep = 1e-6;
 class Pace {
   public:
     // Returns when a frame is due, with the events up to then in the queue.
-    void wait(Window& window, const ui::InputQueue& queue) {
+    void wait(Window& window, const ui::InputQueue& queue, ui::Session& session,
+              Attendant& attendant) {
         if (queue.empty()) {
             hold(window);
         }
         noteNews(window, queue);
-        if (left_ == 0 && !animating_) {
-            sleep(window);
+        bool blinks = false;
+        while (left_ == 0 && !animating_ && !blinks) {
+            blinks = ImGui::GetIO().WantTextInput;
+            sleep(window, std::min(blinks ? blinkSeconds : never, attendant.patience()));
+            if (attendant.attend(session)) {
+                left_ = settlingFrames;
+            }
             noteNews(window, queue);
         }
     }
@@ -70,9 +75,9 @@ class Pace {
         }
     }
 
-    void sleep(Window& window) {
-        if (ImGui::GetIO().WantTextInput) {
-            window.waitEvents(blinkSeconds);
+    static void sleep(Window& window, double longest) {
+        if (std::isfinite(longest)) {
+            window.waitEvents(std::max(longest, shortestStep));
         } else {
             window.waitEvents();
         }
@@ -87,18 +92,17 @@ class Pace {
 
 } // namespace
 
-void runEditor(Window& window, ui::InputQueue& queue, ui::Session& session,
-               const AfterFrame& afterFrame) {
+void runEditor(Window& window, ui::InputQueue& queue, ui::Session& session, Attendant& attendant) {
     Clipboard clipboard{window, {}};
     Interface interface;
     shareClipboard(clipboard);
     Pace pace;
     while (true) {
-        pace.wait(window, queue);
+        pace.wait(window, queue, session, attendant);
         const auto screen = window.screen();
         interface.fit(ui::scaled(screen, session.view));
         const auto frame = ui::runFrame(session, screen, queue.takeFrame(), pace.start());
-        if (!afterFrame(session)) {
+        if (!attendant.afterFrame(session, screen)) {
             return;
         }
         window.setTitle(frame.title);

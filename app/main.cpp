@@ -5,10 +5,12 @@
 #include "app/image.h"
 #include "app/loop.h"
 #include "app/offscreen.h"
+#include "app/storage/keeper.h"
 #include "app/window.h"
 #include "app/window_error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace splineloft::app {
@@ -27,9 +29,14 @@ int openEditor(const OpenEditor& asked) {
     if (!session) {
         return complain(session.refusal().message());
     }
+    Keeper keeper(placesFromEnvironment());
+    keeper.begin(*session, asked.files);
     ui::InputQueue queue;
-    Window window({}, queue);
-    runEditor(window, queue, *session, carryOutRequests);
+    WindowOptions options;
+    options.width = static_cast<int>(std::lround(session->habits.windowWidth));
+    options.height = static_cast<int>(std::lround(session->habits.windowHeight));
+    Window window(options, queue);
+    runEditor(window, queue, *session, keeper);
     return 0;
 }
 

@@ -12,20 +12,11 @@
 
 namespace splineloft::ui {
 
-/// A key with its modifiers.
-struct Shortcut {
-    Key key;
-    Modifiers modifiers = {};
-    bool operator==(const Shortcut&) const = default;
-};
-
-/// As people write it: "Ctrl+Shift+S".
-std::string nameOf(const Shortcut& shortcut);
-
 struct Command {
     std::string id;   ///< e.g. "file.save"
     std::string menu; ///< title of the menu it stands in; empty: in none
     std::function<std::string(const Session&)> name;
+    /// By itself; `shortcutsOf` knows those that the session gives it instead.
     std::vector<Shortcut> shortcuts = {};
     std::function<void(Session&)> run = nullptr;
     std::function<bool(const Session&)> possible = [](const Session&) { return true; };
@@ -42,6 +33,12 @@ std::span<const Command> commands();
 
 /// The command of that id. Throws std::out_of_range where there is none.
 const Command& commandNamed(std::string_view id);
+
+/// The shortcuts that a command has in this session: its own, or those of the session's keymap.
+std::span<const Shortcut> shortcutsOf(const Session& session, const Command& command);
+
+/// The first of them as people write it; empty where it has none.
+std::string shortcutName(const Session& session, const Command& command);
 
 /// Whether a key was struck, is only still held down, or was let go with nothing done meanwhile.
 enum class Strike { fresh, repeated, tap };

@@ -52,7 +52,7 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
         }
         if (const auto* dropped = std::get_if<FilesDropped>(&event);
             dropped && !dropped->paths.empty()) {
-            session.leave(GoToFile{dropped->paths.front()});
+            session.leave(GoToFiles{dropped->paths});
         } else if (std::holds_alternative<CloseAsked>(event)) {
             session.leave(Quit{});
         } else if (const auto* focus = std::get_if<FocusChanged>(&event);
@@ -217,7 +217,12 @@ std::optional<StripFrames> drawPanels(Session& session, const Screen& screen, co
     if (panels) {
         drawToolRail(session, stage(layout.tools));
     }
-    const auto frames = drawStrip(session, session.view, stage(layout.strip));
+    std::optional<StripFrames> frames;
+    if (panels && session.view.log) {
+        drawLog(session, stage(layout.strip));
+    } else {
+        frames = drawStrip(session, session.view, stage(layout.strip));
+    }
     if (panels) {
         carryOut(session, drawInspector(session, session.view, stage(layout.inspector)));
     }

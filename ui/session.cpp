@@ -1,5 +1,7 @@
 #include "ui/session.h"
 
+#include "ui/settings.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -93,12 +95,14 @@ void Session::leaveAnyway(const Departure& departure) {
     if (std::holds_alternative<StartNew>(departure)) {
         opened({}, "");
         view.tool = Tool::pen;
-    } else if (const auto* file = std::get_if<GoToFile>(&departure)) {
-        if (file->path.empty()) {
+    } else if (const auto* files = std::get_if<GoToFiles>(&departure)) {
+        if (files->paths.empty()) {
             browse(FilePurpose::open);
         } else {
-            requests.emplace_back(OpenFile{file->path});
+            requests.emplace_back(OpenFiles{files->paths});
         }
+    } else if (const auto* work = std::get_if<RestoreWork>(&departure)) {
+        requests.emplace_back(*work);
     } else {
         requests.emplace_back(Quit{});
     }
@@ -126,7 +130,13 @@ void Session::browse(FilePurpose purpose) {
                    : purpose == FilePurpose::exportSamples ? stem + "-samples.csv"
                                                            : stem + ".json";
     browser.even = view.pace;
-    dialog = std::move(browser);
+    // Samples need more than a name, which no system's dialog asks for.
+    if (habits.systemDialogs && systemDialogsFound && purpose != FilePurpose::exportSamples) {
+        dialog.reset();
+        requests.emplace_back(AskForFile{std::move(browser)});
+    } else {
+        dialog = std::move(browser);
+    }
 }
 
 void Session::present(bool on) {
@@ -158,14 +168,19 @@ void Session::opened(Document document, std::string file) {
     path = std::move(file);
     gesture = Idle{};
     view = View{};
-    view.layers = kept.layers;
-    view.theme = kept.theme;
-    view.strip = kept.strip;
-    view.inspector = kept.inspector;
-    view.interfaceScale = kept.interfaceScale;
+    keepRemembered(kept, view);
     view.presenting = kept.presenting;
+    ++sitting;
     tidy();
     restCursor();
+}
+
+void Session::restored(Document work, std::string file, Document inFile) {
+    opened(std::move(inFile), std::move(file));
+    apply({std::move(work), Phase::commit, "Restore unsaved work"});
+    view.activeCurve = 0;
+    restCursor();
+    say("Restored " + fileName() + ": not saved yet");
 }
 
 void Session::wasSaved(std::string file) {
@@ -177,12 +192,18 @@ void Session::wasSaved(std::string file) {
     }
 }
 
+void Session::saveFailed(std::string why) {
+    afterSave_.reset();
+    complain(std::move(why));
+}
+
 void Session::say(std::string text) {
+    log.add(text, false);
     notice = Notice{std::move(text), false};
 }
 
 void Session::complain(std::string text) {
-    afterSave_.reset();
+    log.add(text, true);
     notice = Notice{std::move(text), true};
 }
 

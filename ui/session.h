@@ -5,6 +5,9 @@
 #include "core/document/history.h"
 #include "ui/canvas/gesture.h"
 #include "ui/edit.h"
+#include "ui/log.h"
+#include "ui/recovery.h"
+#include "ui/shortcut.h"
 #include "ui/study.h"
 
 #include <array>
@@ -16,37 +19,8 @@
 
 namespace splineloft::ui {
 
-// --- what the program around the interface is asked to do
-// --------------------------------------------
-
-struct OpenFile {
-    std::string path;
-};
-struct SaveFile {
-    std::string path;
-};
-/// Writes samples of the active curve, as JSON or CSV by the ending of the path.
-struct ExportSamples {
-    std::string path;
-    Even even = Even::length;
-    int count = 100;
-};
-struct Quit {};
-
-using Request = std::variant<OpenFile, SaveFile, ExportSamples, Quit>;
-
-// --- what leaves the present document behind
-// -----------------------------------------------------------
-
-struct StartNew {};
-/// Opens a file; asks which where the path is empty.
-struct GoToFile {
-    std::string path;
-};
-using Departure = std::variant<StartNew, GoToFile, Quit>;
-
-// --- what stands in front of everything else
-// ------------------------------------------------------------
+// --- choosing a file
+// --------------------------------------------------------------------------------------
 
 enum class FilePurpose { open, save, exportSamples };
 
@@ -60,6 +34,65 @@ struct FileBrowser {
     bool overwriteAsked = false;
     bool closed = false; ///< the person has had enough of it
 };
+
+/// A file that was opened or saved before, and whether it is still there.
+struct RecentFile {
+    std::string path;
+    bool isThere = true;
+};
+
+// --- what the program around the interface is asked to do
+// --------------------------------------------
+
+/// Opens the first file that can be read, and adds the curves of the others.
+struct OpenFiles {
+    std::vector<std::string> paths;
+};
+struct SaveFile {
+    std::string path;
+};
+/// Writes samples of the active curve, as JSON or CSV by the ending of the path.
+struct ExportSamples {
+    std::string path;
+    Even even = Even::length;
+    int count = 100;
+};
+/// Lets the system's dialog do what the browser would.
+struct AskForFile {
+    FileBrowser browser;
+};
+/// Looks which files were opened or saved lately, here and in other editors.
+struct LookForRecent {};
+struct ForgetRecent {};
+/// Opens what an editor that died left unsaved, by its id, or throws it away.
+struct RestoreWork {
+    std::string id;
+};
+struct DiscardWork {
+    std::string id;
+};
+struct ReadShortcuts {};
+/// Makes the shortcuts file where there is none, and tells its path.
+struct MakeShortcutsFile {};
+struct Quit {};
+
+using Request =
+    std::variant<OpenFiles, SaveFile, ExportSamples, AskForFile, LookForRecent, ForgetRecent,
+                 RestoreWork, DiscardWork, ReadShortcuts, MakeShortcutsFile, Quit>;
+
+// --- what leaves the present document behind
+// -----------------------------------------------------------
+
+struct StartNew {};
+/// Opens files; asks which where there are none.
+struct GoToFiles {
+    std::vector<std::string> paths;
+};
+using Departure = std::variant<StartNew, GoToFiles, RestoreWork, Quit>;
+
+// --- what stands in front of everything else
+// ------------------------------------------------------------
+
 /// "Save the changes first?"
 struct UnsavedQuestion {
     Departure departure;
@@ -70,7 +103,9 @@ struct Palette {
     std::array<char, 96> typed{}; ///< UTF-8, ended by 0
     std::size_t chosen = 0;       ///< row of the command that Enter runs
 };
-using Dialog = std::variant<FileBrowser, UnsavedQuestion, KeyList, Palette>;
+/// "This was in no file when the editor died."
+struct RecoveryOffer {};
+using Dialog = std::variant<FileBrowser, UnsavedQuestion, KeyList, Palette, RecoveryOffer>;
 
 /// What the pointer was over when the right button was pressed.
 enum class Context { point, curve, canvas };
@@ -93,6 +128,12 @@ struct HeldKey {
     Key key;
     Modifiers modifiers;
     bool served = false;
+};
+
+/// What is remembered from one start to the next besides the way of looking.
+struct Habits {
+    bool systemDialogs = true;                     ///< to choose files, rather than the browser
+    double windowWidth = 1280, windowHeight = 800; ///< design pixels
 };
 
 class Session {
@@ -126,7 +167,10 @@ class Session {
 
     // What the program answers.
     void opened(Document document, std::string path);
+    /// Unsaved work of an earlier sitting, over the document as it is in the file of that path.
+    void restored(Document work, std::string path, Document inFile);
     void wasSaved(std::string path);
+    void saveFailed(std::string why);
     void say(std::string text);
     void complain(std::string text);
 
@@ -142,10 +186,17 @@ class Session {
     std::optional<ContextMenu> contextMenu;
     std::vector<std::string> recentCommands; ///< ids of those run from the palette, latest first
     std::optional<Notice> notice;
+    Log log;
     std::vector<Request> requests;
-    double scale = 1;    ///< pixels per design pixel
-    ScreenRect canvas;   ///< where the canvas was drawn last
-    ScreenPoint pointer; ///< where the pointer is
+    std::vector<RecentFile> recent;       ///< the latest first
+    std::vector<UnsavedWork> unsavedWork; ///< of editors that died, the latest first
+    Keymap keymap;                        ///< the person's own shortcuts
+    Habits habits;
+    bool systemDialogsFound = false; ///< whether there is a program that shows them
+    unsigned sitting = 0;            ///< rises whenever another document is begun
+    double scale = 1;                ///< pixels per design pixel
+    ScreenRect canvas;               ///< where the canvas was drawn last
+    ScreenPoint pointer;             ///< where the pointer is
     bool pointerOnCanvas = false;
     std::optional<HeldKey> heldKey; ///< the key that was struck last, while it is down
 

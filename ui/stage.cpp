@@ -71,7 +71,8 @@ Layout layOut(const Screen& screen, const View& view) {
     const double top = panels ? menuHeight * scale : 0;
     const double left = panels ? toolsWidth * scale : 0;
     const double beside = panels ? inspectorRange(screen).limited(view.inspector) * scale : 0;
-    const double below = view.layers.basis ? stripRange(screen).limited(view.strip) * scale : 0;
+    const bool strip = view.layers.basis || (panels && view.log);
+    const double below = strip ? stripRange(screen).limited(view.strip) * scale : 0;
     // However small the window, the canvas keeps a pixel.
     const double bottom = std::max(screen.height - statusHeight * scale, top + 1);
     const double right = std::max(width - beside, left + 1);

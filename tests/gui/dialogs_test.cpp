@@ -111,7 +111,7 @@ TEST(Leaving, aSaveThatFailsLeavesNothingBehind) {
     change(driver);
     driver.send(CloseAsked{});
     driver.click(inDialog("Save"));
-    driver.session.complain("the disk is full");
+    driver.session.saveFailed("the disk is full");
     driver.key(Key::s, withControl);
     driver.session.wasSaved("/there/known.json");
     EXPECT_FALSE(lastRequest<Quit>(driver)) << "that wish to quit is over";
@@ -149,11 +149,12 @@ TEST(Leaving, undoneChangesAreNone) {
     EXPECT_TRUE(lastRequest<Quit>(driver));
 }
 
-TEST(Files, aDroppedFileIsOpened) {
+TEST(Files, droppedFilesAreOpenedTogether) {
     Driver driver(plain());
     driver.send(FilesDropped{{"/there/dropped.json", "/there/other.json"}});
-    ASSERT_TRUE(lastRequest<OpenFile>(driver));
-    EXPECT_EQ(lastRequest<OpenFile>(driver)->path, "/there/dropped.json");
+    ASSERT_TRUE(lastRequest<OpenFiles>(driver));
+    EXPECT_EQ(lastRequest<OpenFiles>(driver)->paths,
+              (std::vector<std::string>{"/there/dropped.json", "/there/other.json"}));
     driver.send(FilesDropped{{}});
     EXPECT_EQ(driver.session.requests.size(), 1U) << "nothing dropped, nothing opened";
 }
@@ -162,7 +163,7 @@ TEST(Files, aFileDroppedOnADialogTakesItsPlaceAndTheCanvasIsFreeAgain) {
     Driver driver(plain());
     driver.key(Key::f1);
     driver.send(FilesDropped{{"/there/dropped.json"}});
-    ASSERT_TRUE(lastRequest<OpenFile>(driver));
+    ASSERT_TRUE(lastRequest<OpenFiles>(driver));
     driver.session.opened(plain(), "/there/dropped.json");
     driver.frames(3);
     driver.key(Key::k);
@@ -239,8 +240,8 @@ TEST(Files, theBrowserShowsDocumentsAndFoldersAndOpensWhatIsDoubleClicked) {
     EXPECT_EQ(std::get<FileBrowser>(*driver.session.dialog).folder.filename(), "inner");
     driver.click(entry("↑  .."));
     driver.doubleClick(driver.middle(entry("    two.json")));
-    ASSERT_TRUE(lastRequest<OpenFile>(driver));
-    EXPECT_EQ(lastRequest<OpenFile>(driver)->path, folder / "two.json");
+    ASSERT_TRUE(lastRequest<OpenFiles>(driver));
+    EXPECT_EQ(lastRequest<OpenFiles>(driver)->paths, std::vector{folder / "two.json"});
     EXPECT_FALSE(driver.session.dialog);
 }
 

@@ -147,10 +147,10 @@ class Monkey {
 void answerRequests(Driver& driver, Monkey& monkey) {
     const auto requests = std::exchange(driver.session.requests, {});
     for (const auto& request : requests) {
-        if (std::holds_alternative<OpenFile>(request)) {
+        if (std::holds_alternative<OpenFiles>(request)) {
             driver.session.opened(monkey.someDocument(), "/there/file.json");
         } else if (const auto* save = std::get_if<SaveFile>(&request)) {
-            monkey.below(3) == 0 ? driver.session.complain("the disk is full")
+            monkey.below(3) == 0 ? driver.session.saveFailed("the disk is full")
                                  : driver.session.wasSaved(save->path);
         }
     }

@@ -110,6 +110,7 @@ struct View {
     double strip = usualStrip;         ///< height of the plots, design pixels
     double inspector = usualInspector; ///< width, design pixels
     double interfaceScale = 1;         ///< how large the person wants everything to be
+    bool log = false;                  ///< the messages stand in place of the plots
     bool presenting = false;           ///< full screen, for an audience: `Session::present`
     /// The camera from before, for design pixels; none where another document was opened meanwhile.
     std::optional<Camera> cameraAfterwards;

@@ -72,6 +72,14 @@ void addMotionCommands(std::vector<Command>& all) {
     all.push_back({"help.keys", "Help", called("Keys and mouse"), {{Key::f1}}, [](Session& s) {
                        s.dialog = KeyList{};
                    }});
+    all.push_back({"help.shortcutsFile", "Help", called("Shortcuts file…"), {}, [](Session& s) {
+                       s.requests.emplace_back(MakeShortcutsFile{});
+                   }});
+    all.back().startsGroup = true;
+    all.push_back(
+        {"help.readShortcuts", "Help", called("Read the shortcuts again"), {}, [](Session& s) {
+             s.requests.emplace_back(ReadShortcuts{});
+         }});
 }
 
 } // namespace splineloft::ui

@@ -18,32 +18,6 @@ std::vector<Command> allCommands() {
     return all;
 }
 
-std::string nameOf(Key key) {
-    const int code = static_cast<int>(key);
-    if (code > ' ' && code < 128) {
-        return key == Key::equal ? "+" : std::string(1, static_cast<char>(code));
-    }
-    switch (key) {
-    case Key::space: return "Space";
-    case Key::escape: return "Esc";
-    case Key::enter: return "Enter";
-    case Key::keypadEnter: return "Enter (keypad)";
-    case Key::backspace: return "Backspace";
-    case Key::del: return "Delete";
-    case Key::home: return "Home";
-    case Key::left: return "←";
-    case Key::right: return "→";
-    case Key::up: return "↑";
-    case Key::down: return "↓";
-    case Key::pageUp: return "Page Up";
-    case Key::pageDown: return "Page Down";
-    case Key::f1: return "F1";
-    case Key::f2: return "F2";
-    case Key::f11: return "F11";
-    default: return "key " + std::to_string(code);
-    }
-}
-
 } // namespace
 
 bool handsOff(const Session& session) {
@@ -71,13 +45,6 @@ std::vector<PointId> selected(const Session& session) {
     return {session.view.selection.begin(), session.view.selection.end()};
 }
 
-std::string nameOf(const Shortcut& shortcut) {
-    return std::string(shortcut.modifiers.control ? "Ctrl+" : "") +
-           (shortcut.modifiers.alt ? "Alt+" : "") +
-           (shortcut.modifiers.shift && shortcut.key != Key::equal ? "Shift+" : "") +
-           nameOf(shortcut.key);
-}
-
 std::span<const Command> commands() {
     static const auto all = allCommands();
     return all;
@@ -91,10 +58,20 @@ const Command& commandNamed(std::string_view id) {
     return *found;
 }
 
+std::span<const Shortcut> shortcutsOf(const Session& session, const Command& command) {
+    const auto given = session.keymap.find(command.id);
+    return given != session.keymap.end() ? given->second : command.shortcuts;
+}
+
+std::string shortcutName(const Session& session, const Command& command) {
+    const auto shortcuts = shortcutsOf(session, command);
+    return shortcuts.empty() ? "" : nameOf(shortcuts.front());
+}
+
 bool runShortcut(Session& session, const Shortcut& shortcut, Strike strike) {
     for (const auto& command : commands()) {
-        const bool named =
-            std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
+        const auto all = shortcutsOf(session, command);
+        const bool named = std::ranges::find(all, shortcut) != all.end();
         const bool due = command.onTap ? strike == Strike::tap
                                        : strike == Strike::fresh ||
                                              (strike == Strike::repeated && command.repeats);

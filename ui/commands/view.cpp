@@ -77,7 +77,7 @@ void addViewCommands(std::vector<Command>& all) {
     all.push_back({"view.zoomIn",
                    "View",
                    called("Zoom in"),
-                   {{Key::equal}, {Key::equal, shiftKey}},
+                   {{Key::equal, shiftKey}, {Key::equal}},
                    [](Session& s) { zoomAtMiddle(s, 1.25); }});
     all.back().repeats = true;
     all.push_back({"view.zoomOut", "View", called("Zoom out"), {{Key::minus}}, [](Session& s) {
@@ -118,6 +118,13 @@ void addViewCommands(std::vector<Command>& all) {
                    [](const Session& s) { return s.view.presenting; }});
     all.back().startsGroup = true;
     all.back().contexts = {Context::canvas};
+    all.push_back({"view.log",
+                   "View",
+                   called("Messages"),
+                   {},
+                   [](Session& s) { s.view.log = !s.view.log; },
+                   [](const Session&) { return true; },
+                   [](const Session& s) { return s.view.log; }});
 }
 
 } // namespace splineloft::ui

@@ -1,5 +1,6 @@
 #include "ui/panels/browser.h"
 
+#include "ui/file_choice.h"
 #include "ui/widgets.h"
 
 #include <imgui.h>
@@ -47,49 +48,34 @@ std::vector<Entry> entriesOf(const FileBrowser& browser) {
     return entries;
 }
 
-Request requestFor(const FileBrowser& browser, const fs::path& path) {
-    switch (browser.purpose) {
-    case FilePurpose::open: return OpenFile{path.string()};
-    case FilePurpose::save: return SaveFile{path.string()};
-    case FilePurpose::exportSamples: break;
+/// The files of late that are still there, above those of the folder.
+std::optional<Request> drawRecent(std::span<const RecentFile> recent) {
+    constexpr int most = 6; // of them, so that the folder is in sight
+    std::optional<Request> request;
+    int shown = 0;
+    for (const auto& file : recent) {
+        if (!file.isThere || shown == most) {
+            continue;
+        }
+        if (ImGui::Selectable(nameWithFolder(file.path).c_str()) && !request) {
+            request = OpenFiles{{file.path}};
+        }
+        ++shown;
     }
-    return ExportSamples{path.string(), browser.even, browser.count};
-}
-
-/// The chosen file, with the ending that its purpose needs.
-fs::path chosenPath(const FileBrowser& browser) {
-    fs::path path = browser.folder / browser.name;
-    if (!path.has_extension() && browser.purpose != FilePurpose::open) {
-        path += browser.purpose == FilePurpose::save ? ".json" : ".csv";
+    if (shown > 0) {
+        ImGui::Separator();
     }
-    return path;
-}
-
-std::optional<Request> accept(FileBrowser& browser) {
-    if (browser.name.empty()) {
-        return std::nullopt;
-    }
-    const auto path = chosenPath(browser);
-    std::error_code failed;
-    if (fs::is_directory(path, failed)) {
-        browser.folder = fs::canonical(path, failed);
-        browser.name.clear();
-        return std::nullopt;
-    }
-    if (browser.purpose != FilePurpose::open && fs::exists(path, failed) &&
-        !browser.overwriteAsked) {
-        browser.overwriteAsked = true;
-        return std::nullopt;
-    }
-    return requestFor(browser, path);
+    return request;
 }
 
 /// The list; a click names a file or enters a folder, a double click takes the file.
-std::optional<Request> drawList(FileBrowser& browser, const Stage& window) {
+std::optional<Request> drawList(FileBrowser& browser, std::span<const RecentFile> recent,
+                                const Stage& window) {
     std::optional<Request> request;
     const auto height =
         std::min(window.px(320), static_cast<float>(window.rect.height) - window.px(280));
     if (ImGui::BeginChild("files", {window.px(560), height}, true)) {
+        request = drawRecent(recent);
         if (browser.folder.has_parent_path() && ImGui::Selectable("↑  ..", false)) {
             browser.folder = browser.folder.parent_path();
         }
@@ -127,9 +113,11 @@ void drawSampleChoice(FileBrowser& browser, const Stage& window) {
 
 } // namespace
 
-std::optional<Request> drawBrowser(FileBrowser& browser, const Stage& window) {
+std::optional<Request> drawBrowser(FileBrowser& browser, std::span<const RecentFile> recent,
+                                   const Stage& window) {
     ImGui::TextDisabled("%s", browser.folder.string().c_str());
-    auto request = drawList(browser, window);
+    const bool opens = browser.purpose == FilePurpose::open;
+    auto request = drawList(browser, opens ? recent : std::span<const RecentFile>(), window);
     ImGui::SetNextItemWidth(window.px(560));
     if (ImGui::IsWindowAppearing()) {
         ImGui::SetKeyboardFocusHere();

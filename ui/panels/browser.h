@@ -5,10 +5,13 @@
 #include "ui/stage.h"
 
 #include <optional>
+#include <span>
 
 namespace splineloft::ui {
 
-/// Draws the inside of the browser; answers with the request once a file was chosen.
-std::optional<Request> drawBrowser(FileBrowser& browser, const Stage& window);
+/// Draws the inside of the browser, for opening with the files of late above the folder's; answers
+/// with the request once a file was chosen.
+std::optional<Request> drawBrowser(FileBrowser& browser, std::span<const RecentFile> recent,
+                                   const Stage& window);
 
 } // namespace splineloft::ui

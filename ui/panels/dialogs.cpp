@@ -40,6 +40,7 @@ const char* titleOf(const Dialog& dialog) {
                                                        : "Export samples###dialog";
     }
     return std::holds_alternative<UnsavedQuestion>(dialog) ? "Save the changes?###dialog"
+           : std::holds_alternative<RecoveryOffer>(dialog) ? "Unsaved work###dialog"
                                                            : "Keys and mouse###dialog";
 }
 
@@ -81,7 +82,7 @@ void drawDialog(Session& session, const Stage& window) {
     }
     const bool escaped = ImGui::IsKeyPressed(escapeKey());
     if (auto* browser = std::get_if<FileBrowser>(&*session.dialog)) {
-        if (const auto request = drawBrowser(*browser, window)) {
+        if (const auto request = drawBrowser(*browser, session.recent, window)) {
             session.dialog.reset();
             session.requests.push_back(*request);
         } else if (escaped || browser->closed) {
@@ -91,6 +92,8 @@ void drawDialog(Session& session, const Stage& window) {
         session.dismiss();
     } else if (const auto* asked = std::get_if<UnsavedQuestion>(&*session.dialog)) {
         question(session, *asked, window);
+    } else if (std::holds_alternative<RecoveryOffer>(*session.dialog)) {
+        drawRecoveryOffer(session, window);
     } else if (isPalette) {
         drawPalette(session, window);
     } else if (drawKeyList(session, window)) {

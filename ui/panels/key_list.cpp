@@ -43,14 +43,10 @@ Group mouseGroup() {
              {"Double-click", "on a slider or an edge of a panel: its usual value"}}};
 }
 
-std::string keysOf(const Command& command) {
+std::string keysOf(const Session& session, const Command& command) {
     std::string keys;
-    std::string last; // + and = are the same to whoever reads
-    for (const auto& shortcut : command.shortcuts) {
-        if (const auto name = nameOf(shortcut); name != last) {
-            keys += (keys.empty() ? "" : ", ") + name;
-            last = name;
-        }
+    for (const auto& shortcut : shortcutsOf(session, command)) {
+        keys += (keys.empty() ? "" : ", ") + nameOf(shortcut);
     }
     return keys;
 }
@@ -59,8 +55,8 @@ std::string keysOf(const Command& command) {
 Group groupOf(const std::string& menu, const Session& session) {
     Group group{menu.empty() ? "Further keys" : menu, {}};
     for (const auto& command : commands()) {
-        if (command.menu == menu && !command.shortcuts.empty()) {
-            group.lines.push_back({keysOf(command), command.name(session)});
+        if (auto keys = keysOf(session, command); command.menu == menu && !keys.empty()) {
+            group.lines.push_back({std::move(keys), command.name(session)});
         }
     }
     return group;

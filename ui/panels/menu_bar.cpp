@@ -6,7 +6,7 @@
 namespace splineloft::ui {
 
 void drawMenuItem(Session& session, const Command& command) {
-    const auto keys = command.shortcuts.empty() ? std::string() : nameOf(command.shortcuts.front());
+    const auto keys = shortcutName(session, command);
     const bool checked = command.checked && command.checked(session);
     const bool possible = command.possible(session);
     if (ImGui::MenuItem(command.name(session).c_str(), keys.c_str(), checked, possible)) {
@@ -29,6 +29,9 @@ void drawMenuBar(Session& session, const Stage& stage) {
                         ImGui::Separator();
                     }
                     drawMenuItem(session, command);
+                    if (command.id == "file.open") {
+                        drawRecentMenu(session);
+                    }
                 }
             }
             ImGui::EndMenu();

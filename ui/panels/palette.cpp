@@ -55,11 +55,9 @@ bool drawRow(const Session& session, const FoundCommand& found, bool chosen, con
     // What is impossible now is as quiet as it can be and still be read on any ground.
     const Colour colour = possible ? s.text : mixed(s.text, s.panel, 0.6);
     drawTitle(found, {corner.x + window.px(8), y}, colour, possible ? s.accent : colour);
-    if (!found.command->shortcuts.empty()) {
-        const auto keys = nameOf(found.command->shortcuts.front());
-        const float x = corner.x + width - ImGui::CalcTextSize(keys.c_str()).x - window.px(8);
-        ImGui::GetWindowDrawList()->AddText({x, y}, packed(colour), keys.c_str());
-    }
+    const auto keys = shortcutName(session, *found.command);
+    const float x = corner.x + width - ImGui::CalcTextSize(keys.c_str()).x - window.px(8);
+    ImGui::GetWindowDrawList()->AddText({x, y}, packed(colour), keys.c_str());
     return clicked;
 }
 

@@ -38,6 +38,12 @@ struct StripFrames {
 };
 std::optional<StripFrames> drawStrip(const Session& session, View& view, const Stage& stage);
 
+/// The messages, as long as they are wanted.
+void drawLog(Session& session, const Stage& stage);
+
+/// The submenu of recent files, within a menu.
+void drawRecentMenu(Session& session);
+
 /// What the mouse would do now, or the latest message; where the pointer is; length; zoom.
 void drawStatus(const Session& session, const Stage& stage);
 
@@ -53,6 +59,9 @@ void drawSplitters(View& view, const Layout& layout, const Screen& screen, const
 
 /// The menu that the right button has opened on the canvas, if it has.
 void drawContextMenu(Session& session, const Stage& window);
+
+/// The inside of the dialog that offers unsaved work of editors that died.
+void drawRecoveryOffer(Session& session, const Stage& window);
 
 /// The dialog that stands in front, if one does.
 void drawDialog(Session& session, const Stage& window);

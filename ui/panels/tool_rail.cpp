@@ -62,8 +62,8 @@ void drawButton(Session& session, const RailButton& button, double height, const
     ImGui::EndDisabled();
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(2);
-    explain(command.name(session) +
-            (command.shortcuts.empty() ? "" : "  (" + nameOf(command.shortcuts.front()) + ")"));
+    const auto keys = shortcutName(session, command);
+    explain(command.name(session) + (keys.empty() ? "" : "  (" + keys + ")"));
 }
 
 } // namespace
