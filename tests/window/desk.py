@@ -41,6 +41,9 @@ class Layout:
     tension_range = (0, 2)
     first_x_field = (1090, 580)  # of P0, with three joints above it
 
+    # The button of the unsaved work that is offered, where there is one.
+    restore = (544, 441)
+
     # The question about unsaved changes, in the middle of the window.
     question = {"Save": (504, 430), "Don't save": (640, 430), "Cancel": (776, 430)}
 
@@ -56,10 +59,17 @@ def eventually(condition, what):
     raise AssertionError(f"this did not happen within {PATIENCE} s: {what}")
 
 
-class Screen:
-    """An X server without a monitor. `dpi` becomes the resource Xft.dpi, which scales windows."""
+def own_places(home):
+    """The environment in which a program leaves its settings and all else below `home`."""
+    return {"HOME": str(home), "XDG_CONFIG_HOME": str(home / "config"),
+            "XDG_STATE_HOME": str(home / "state")}
 
-    def __init__(self, size=(1280, 800), dpi=None, options=()):
+
+class Screen:
+    """An X server without a monitor, for programs that take `home` for their home. `dpi` becomes
+    the resource Xft.dpi, which scales windows."""
+
+    def __init__(self, home, size=(1280, 800), dpi=None, options=()):
         reading, writing = os.pipe()
         # -noreset: else the resources would go when xrdb, the only client so far, leaves.
         self._server = subprocess.Popen(
@@ -73,7 +83,8 @@ class Screen:
                 raise AssertionError("Xvfb did not start")
             # The whole line must be read: Xvfb dies of a pipe that is closed before its end.
             self.display = ":" + pipe.readline().strip()
-        self.environment = {**os.environ, "DISPLAY": self.display}
+        self.environment = {**os.environ, **own_places(home), "DISPLAY": self.display,
+                            "SPLINELOFT_DIALOG": "own"}
         self.environment.pop("WAYLAND_DISPLAY", None)
         if dpi is not None:
             subprocess.run(["xrdb", "-merge"], input=f"Xft.dpi: {dpi}\n", text=True, check=True,
@@ -136,7 +147,8 @@ class Editor:
     def close(self):
         if self.process.poll() is None:
             self.process.kill()
-        self.process.communicate()
+        if not self.process.stderr.closed:
+            self.process.communicate()
 
     # --- what can be seen from outside
 
@@ -258,9 +270,11 @@ class DeskTest(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="splineloft-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        self.home = pathlib.Path(tempfile.mkdtemp(prefix="splineloft-home-"))
+        self.addCleanup(shutil.rmtree, self.home, ignore_errors=True)
 
     def screen(self, *arguments, **named):
-        screen = Screen(*arguments, **named)
+        screen = Screen(self.home, *arguments, **named)
         self.addCleanup(screen.close)
         return screen
 

@@ -271,6 +271,120 @@ class Files(WithDocument):
         self.assertIsNone(editor.process.poll())
 
 
+class Recovery(WithDocument):
+    """What a killed editor had in no file comes back."""
+
+    def recovery(self):
+        return sorted((self.home / "state/splineloft/recovery").glob("*.json"))
+
+    def kill_with_changes(self, editor):
+        """Kills an editor once its changes are kept: it does so at once after twenty."""
+        editor.click(at(POINTS[1]))
+        editor.keys(*["Right"] * 20)
+        self.assertTrue(editor.unsaved, editor.title)
+        eventually(self.recovery, "the changes are kept")
+        editor.settle()
+        editor.close()
+        return json.loads(self.recovery()[0].read_text())["curves"][0]["points"]
+
+    def test_after_a_kill_the_next_start_offers_the_changes(self):
+        screen = self.screen()
+        before = self.path.read_text()
+        points = self.kill_with_changes(self.editor(self.path, screen=screen))
+        self.assertNotEqual(points, POINTS)
+        editor = self.editor(screen=screen)
+        editor.click(Layout.restore)
+        self.assertTrue(editor.title.startswith("path.json ●"), editor.title)
+        self.assertEqual(self.path.read_text(), before, "a restored file is not saved by itself")
+        self.assertEqual(self.curve(editor)["points"], points)
+        eventually(lambda: not self.recovery(), "what is saved is kept no longer")
+
+    def test_an_editor_that_still_runs_is_left_alone(self):
+        screen = self.screen()
+        first = self.editor(self.path, screen=screen)
+        first.click(at(POINTS[1]))
+        first.keys(*["Right"] * 20)
+        eventually(self.recovery, "the changes are kept")
+        second = subprocess.Popen([self.program], env=screen.environment, cwd=self.folder)
+        self.addCleanup(second.wait)
+        self.addCleanup(second.kill)
+        eventually(lambda: len(screen.hands("search", "--onlyvisible", "--name",
+                                            "Splineloft").split()) == 2, "the second opens")
+        first.settle()
+        self.assertEqual(len(self.recovery()), 1)
+
+    def test_not_saving_on_purpose_leaves_nothing(self):
+        editor = self.editor(self.path)
+        editor.click(at(POINTS[1]))
+        editor.keys(*["Right"] * 20)
+        eventually(self.recovery, "the changes are kept")
+        editor.ask_to_close()
+        editor.click(Layout.question["Don't save"])
+        self.assertEqual(editor.ended(), 0)
+        self.assertEqual(list((self.home / "state/splineloft/recovery").iterdir()), [])
+
+
+class Settings(WithDocument):
+    def test_what_was_set_holds_at_the_next_start(self):
+        screen = self.screen()
+        file = self.home / "config/splineloft/settings.json"
+        editor = self.editor(self.path, screen=screen)
+        editor.keys("t", "k")
+        eventually(lambda: file.exists() and json.loads(file.read_text())["theme"] == "light",
+                   "the settings are written")
+        editor.close()
+        before = file.read_text()
+        editor = self.editor(self.path, screen=screen)
+        editor.ask_to_close()
+        self.assertEqual(editor.ended(), 0)
+        self.assertEqual(file.read_text(), before, "the same holds, and nothing was changed")
+
+    def test_broken_ones_are_kept_beside(self):
+        file = self.home / "config/splineloft/settings.json"
+        file.parent.mkdir(parents=True)
+        file.write_text("{ broken")
+        editor = self.editor(self.path)
+        self.assertEqual(file.with_suffix(".json.bad").read_text(), "{ broken")
+        self.assertFalse(editor.unsaved)
+
+
+class SystemDialog(WithDocument):
+    """The system's dialog, played by a script."""
+
+    def open_with(self, script):
+        folder = self.home / "programs"
+        folder.mkdir()
+        program = folder / "zenity"
+        program.write_text("#!/bin/sh\n" + script)
+        program.chmod(0o755)
+        screen = self.screen()
+        screen.environment["PATH"] = f"{folder}:{os.environ['PATH']}"
+        del screen.environment["SPLINELOFT_DIALOG"]
+        return self.editor(self.path, screen=screen)
+
+    def test_the_chosen_file_is_opened_and_the_editor_answers_meanwhile(self):
+        other = self.folder / "other.json"
+        other.write_text(self.path.read_text())
+        go = self.folder / "go"
+        editor = self.open_with(f"until [ -e '{go}' ]; do sleep 0.05; done; echo '{other}'")
+        editor.screen.hands("key", "ctrl+o")
+        editor.screen.hands(*editor._move(at(POINTS[1])), "click", 1, "key", "Right")
+        eventually(lambda: editor.unsaved, "the editor answers while the dialog is open")
+        editor.screen.hands("key", "ctrl+z")
+        eventually(lambda: not editor.unsaved, "the change is undone")
+        go.touch()
+        eventually(lambda: editor.title.startswith("other.json"), "the chosen file is opened")
+
+    def test_cancel_is_no_answer(self):
+        editor = self.open_with("sleep 0.4; exit 1")
+        editor.keys("ctrl+o")
+        time.sleep(0.8)
+        editor.settle()
+        self.assertTrue(editor.title.startswith("path.json"), editor.title)
+        editor.drag(at(POINTS[1]), beside(POINTS[1], 20, 20))
+        self.assertTrue(editor.unsaved, "the canvas is free")
+
+
 class Closing(WithDocument):
     def changed(self):
         """An editor with a change that is in no file, asked to close."""
@@ -365,7 +479,16 @@ class Idle(WithDocument):
     SECONDS = 10
 
     def test_doing_nothing_costs_nothing(self):
+        self.assert_idle(self.open())
+
+    def test_nor_does_unsaved_work_once_it_is_kept(self):
         editor = self.open()
+        editor.click(at(POINTS[1]))
+        editor.keys(*["Right"] * 25)
+        self.assertTrue(editor.unsaved, editor.title)
+        self.assert_idle(editor)
+
+    def assert_idle(self, editor):
         before = editor.ticks()
         time.sleep(self.SECONDS)
         ticks = editor.ticks() - before
