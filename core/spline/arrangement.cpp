@@ -1,9 +1,9 @@
 #include "core/spline/arrangement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace splineloft {
 namespace {
@@ -41,47 +41,97 @@ std::vector<Place> endToEnd(std::size_t points, std::size_t extra, Ends ends) {
     return places;
 }
 
-/// Chord lengths to the power alpha between the arranged points. Places added at an end are spaced
-/// as their mirror images are, so that a doubled end does not collapse the knots there.
-std::vector<double> chordIntervals(bool closed, const PointsView& points,
-                                   const Arrangement& arrangement, double alpha) {
+/// The chord between two arranged points that follow one another, to the power alpha.
+double chordAfter(const std::vector<Place>& places, std::size_t index, const PointsView& points,
+                  double alpha) {
     const auto placeOf = [&](const Place& place) {
         const Point own = points.at(place.control);
         return place.mirroredAt ? 2.0 * points.at(*place.mirroredAt) - own : own;
     };
-    std::vector<double> intervals;
-    for (std::size_t i = 0; i + 1 < arrangement.places.size(); ++i) {
-        const Point step = placeOf(arrangement.places[i + 1]) - placeOf(arrangement.places[i]);
-        intervals.push_back(std::pow(norm(step), alpha));
+    return std::pow(norm(placeOf(places[index + 1]) - placeOf(places[index])), alpha);
+}
+
+std::vector<double> chordsOf(const std::vector<Place>& places, const PointsView& points,
+                             double alpha) {
+    std::vector<double> chords(places.empty() ? 0 : places.size() - 1);
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+        chords[i] = chordAfter(places, i, points, alpha);
     }
-    // What is below rounding beside the whole line of knots counts as nothing, as it would come out
-    // anyway farther along: only near t = 0 could such a sliver survive, with huge slopes on it.
-    const double whole = std::accumulate(intervals.begin(), intervals.end(), 0.0);
-    const double least = std::max(std::numeric_limits<double>::epsilon() * whole,
-                                  std::numeric_limits<double>::min());
-    for (double& interval : intervals) {
-        interval = interval < least ? 0 : interval;
+    return chords;
+}
+
+auto at(std::vector<double>& numbers, std::size_t index) {
+    return numbers.begin() + static_cast<std::ptrdiff_t>(index);
+}
+
+/// The shortest chord that counts. What is below rounding beside the whole line of knots counts as
+/// nothing, as it would come out anyway farther along: only near t = 0 could such a sliver survive,
+/// with huge slopes on it.
+double shortestChord(std::span<const double> chords) {
+    std::array<double, 4> sums{}; // of every fourth chord, so that none waits for the others
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+        sums[i % sums.size()] += chords[i];
     }
-    if (!closed) {
-        const auto before = arrangement.before;
-        const auto count = intervals.size();
-        for (std::size_t k = 0; k < before && 2 * before <= count; ++k) {
-            intervals[before - 1 - k] = intervals[before + k];
-            intervals[count - before + k] = intervals[count - before - 1 - k];
+    const double whole = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    return std::max(std::numeric_limits<double>::epsilon() * whole,
+                    std::numeric_limits<double>::min());
+}
+
+/// Writes the intervals that the chords give into `intervals`, as many, where so many places stand
+/// `before` the first point. Places added at an end are spaced as their mirror images are, so that
+/// a doubled end does not collapse the knots there. Returns which intervals were others before.
+std::vector<Range> setIntervals(std::vector<double>& intervals, std::span<const double> chords,
+                                bool closed, std::size_t before) {
+    const double least = shortestChord(chords);
+    const auto count = chords.size();
+    const std::size_t mirrored = !closed && 2 * before <= count ? before : 0; // at either end
+    const std::vector<double> atStart(intervals.begin(), at(intervals, mirrored));
+    const std::vector<double> atEnd(at(intervals, count - mirrored), intervals.end());
+    std::vector<Range> changed;
+    const auto noteIf = [&](bool differs, std::size_t i) {
+        if (differs) {
+            changed.push_back({i, i + 1});
         }
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const double interval = chords[i] < least ? 0 : chords[i];
+        const bool isInner = i >= mirrored && i < count - mirrored;
+        noteIf(isInner && interval != intervals[i], i);
+        intervals[i] = interval;
     }
+    for (std::size_t k = 0; k < mirrored; ++k) {
+        intervals[before - 1 - k] = intervals[before + k];
+        intervals[count - before + k] = intervals[count - before - 1 - k];
+    }
+    for (std::size_t k = 0; k < mirrored; ++k) {
+        noteIf(intervals[k] != atStart[k], k);
+        noteIf(intervals[count - mirrored + k] != atEnd[k], count - mirrored + k);
+    }
+    return merged(std::move(changed));
+}
+
+std::vector<double> chordIntervals(std::span<const double> chords, bool closed,
+                                   std::size_t before) {
+    std::vector<double> intervals(chords.size());
+    setIntervals(intervals, chords, closed, before);
     return intervals;
 }
 
-/// Knots that are `intervals` apart, with 0 at index `origin`.
-std::vector<double> accumulate(const std::vector<double>& intervals, std::size_t origin) {
-    std::vector<double> knots(intervals.size() + 1);
-    for (std::size_t i = origin; i < intervals.size(); ++i) {
+/// Sets knots that are `intervals` apart, with 0 at index `origin`, anew from interval `first` on,
+/// and before it where it lies before the origin.
+void accumulate(std::vector<double>& knots, const std::vector<double>& intervals,
+                std::size_t origin, std::size_t first = 0) {
+    for (std::size_t i = std::max(origin, first); i < intervals.size(); ++i) {
         knots[i + 1] = knots[i] + intervals[i];
     }
     for (std::size_t i = origin; i > 0; --i) {
         knots[i - 1] = knots[i] - intervals[i - 1];
     }
+}
+
+std::vector<double> accumulate(const std::vector<double>& intervals, std::size_t origin) {
+    std::vector<double> knots(intervals.size() + 1);
+    accumulate(knots, intervals, origin);
     return knots;
 }
 
@@ -141,7 +191,8 @@ std::vector<double> knotVectorOf(const Spline& spline, const PointsView& points,
     }
     auto knots = wholeKnots(count, degree);
     if (alpha > 0 && arrangement.places.size() > 1) {
-        const auto legs = chordIntervals(spline.closed, points, arrangement, alpha);
+        const auto legs = chordIntervals(chordsOf(arrangement.places, points, alpha), spline.closed,
+                                         arrangement.before);
         const auto period = spline.closed ? arrangement.pieces() : 0;
         const auto spaced = accumulate(middleLegs(legs, degree, count - 1, period), degree);
         if (spaced[count - degree - 1] > spaced[degree]) { // else all points coincide
@@ -157,18 +208,23 @@ std::vector<double> knotVectorOf(const Spline& spline, const PointsView& points,
     return knots;
 }
 
-std::vector<double> knotsOf(const Spline& spline, const PointsView& points,
-                            const Arrangement& arrangement) {
+void addKnots(Arrangement& arrangement, const Spline& spline, const PointsView& points) {
     switch (familyOf(spline).spacing) {
     case Spacing::chord:
-        return accumulate(
-            chordIntervals(spline.closed, points, arrangement, parameterOf(spline, "alpha")),
-            static_cast<std::size_t>(arrangement.layout.lead));
+        arrangement.chords = chordsOf(arrangement.places, points, parameterOf(spline, "alpha"));
+        arrangement.intervals =
+            chordIntervals(arrangement.chords, spline.closed, arrangement.before);
+        arrangement.knots = accumulate(arrangement.intervals,
+                                       static_cast<std::size_t>(arrangement.layout.lead));
+        return;
     case Spacing::knotVector:
-        return knotVectorOf(spline, points, arrangement, parameterOf(spline, "alpha"));
-    case Spacing::uniform: break;
+        arrangement.knots = knotVectorOf(spline, points, arrangement, parameterOf(spline, "alpha"));
+        return;
+    case Spacing::uniform:
+        arrangement.knots = wholeKnots(arrangement.places.size(),
+                                       static_cast<std::size_t>(arrangement.layout.lead));
+        return;
     }
-    return wholeKnots(arrangement.places.size(), static_cast<std::size_t>(arrangement.layout.lead));
 }
 
 /// The parameter values at the beginnings of the windows, and where the last piece ends. Piece i
@@ -184,6 +240,7 @@ void joinPieces(Arrangement& arrangement, bool knotVector) {
         });
     }
     std::vector<double> joints;
+    joints.reserve(arrangement.pieces() + 1);
     for (std::size_t i = 0; i < arrangement.pieces(); ++i) {
         joints.push_back(layout.stride > 1 ? static_cast<double>(i)
                                            : knots[origin + arrangement.windows[i]]);
@@ -224,9 +281,60 @@ Arrangement arrangementOf(const Spline& spline, const PointsView& points) {
     for (std::size_t i = 0; i < pieces; ++i) {
         result.windows.push_back(i * stride);
     }
-    result.knots = knotsOf(spline, points, result);
+    addKnots(result, spline, points);
     joinPieces(result, familyOf(spline).spacing == Spacing::knotVector);
     return result;
+}
+
+std::vector<Range> placesOf(const Arrangement& arrangement, std::span<const Range> controls) {
+    const auto& places = arrangement.places;
+    const auto isPlain = [&](std::size_t place) {
+        return places[place].control + arrangement.before == place && !places[place].mirroredAt;
+    };
+    const auto isAmong = [&](std::size_t control) {
+        return std::ranges::any_of(controls, [&](const Range& range) {
+            return control >= range.first && control < range.last;
+        });
+    };
+    // From the first point to the last each stands at its own place; around them a few are added.
+    const auto first = std::min(arrangement.before, places.size());
+    auto last = places.size();
+    while (last > first && !isPlain(last - 1)) {
+        --last;
+    }
+    std::vector<Range> found;
+    for (const auto& range : controls) {
+        found.push_back({std::min(range.first + first, last), std::min(range.last + first, last)});
+    }
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        if (place == first) {
+            place = last;
+        }
+        if (place < places.size() &&
+            (isAmong(places[place].control) ||
+             (places[place].mirroredAt && isAmong(*places[place].mirroredAt)))) {
+            found.push_back({place, place + 1});
+        }
+    }
+    return merged(std::move(found));
+}
+
+std::vector<Range> respace(Arrangement& arrangement, const Spline& spline, const PointsView& points,
+                           std::span<const Range> moved) {
+    const double alpha = parameterOf(spline, "alpha");
+    for (const auto& range : moved) {
+        const auto last = std::min(range.last, arrangement.chords.size());
+        for (auto i = range.first > 0 ? range.first - 1 : 0; i < last; ++i) {
+            arrangement.chords[i] = chordAfter(arrangement.places, i, points, alpha);
+        }
+    }
+    auto changed = setIntervals(arrangement.intervals, arrangement.chords, spline.closed,
+                                arrangement.before);
+    if (!changed.empty()) {
+        const auto origin = static_cast<std::size_t>(arrangement.layout.lead);
+        accumulate(arrangement.knots, arrangement.intervals, origin, changed.front().first);
+    }
+    return changed;
 }
 
 } // namespace splineloft

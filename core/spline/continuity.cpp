@@ -152,17 +152,20 @@ std::string speedWords(const Joint& joint) {
 
 } // namespace
 
+Joint jointAfter(const Pieces& pieces, std::size_t before) {
+    const auto after = (before + 1) % pieces.size();
+    Joint joint =
+        compare(sideOf(pieces, before, true), sideOf(pieces, after, false), pieces.degree());
+    joint.t = pieces.knots().knots()[before + 1];
+    joint.before = before;
+    joint.after = after;
+    return joint;
+}
+
 std::vector<Joint> jointsOf(const Pieces& pieces, bool closed) {
     std::vector<Joint> joints;
-    const auto count = pieces.size();
-    for (std::size_t i = 1; i < count + (closed ? 1 : 0); ++i) {
-        const auto after = i % count;
-        Joint joint =
-            compare(sideOf(pieces, i - 1, true), sideOf(pieces, after, false), pieces.degree());
-        joint.t = pieces.knots().knots()[i];
-        joint.before = i - 1;
-        joint.after = after;
-        joints.push_back(joint);
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < pieces.size(); ++i) {
+        joints.push_back(jointAfter(pieces, i));
     }
     return joints;
 }
@@ -191,6 +194,16 @@ std::string describe(const Joint& joint) {
     return joint.c == 1 ? "C¹: " + second
                         : "G¹, not C¹: " + speed + ", the curvature jumps by " +
                               rounded(joint.curvatureJump);
+}
+
+bool readAlike(const Joint& a, const Joint& b) {
+    const auto isSmooth = [](const Joint& joint) {
+        return joint.c == 2 && joint.g == 2 && !joint.atRest;
+    };
+    if (isSmooth(a) && isSmooth(b)) {
+        return a.mayBeMore == b.mayBeMore;
+    }
+    return a.c == b.c && a.g == b.g && describe(a) == describe(b);
 }
 
 } // namespace splineloft

@@ -27,11 +27,18 @@ struct Joint {
     bool mayBeMore = false; ///< the degree allows more than C2, which is not measured
 };
 
+/// The joint at the end of piece `before`; at the end of the last, where a closed curve returns to
+/// its start.
+Joint jointAfter(const Pieces& pieces, std::size_t before);
+
 /// All joints, in order; for a closed curve the last is the one where it returns to its start.
 /// Pieces without interval (coincident points with chordal knots) are measured by their own u.
 std::vector<Joint> jointsOf(const Pieces& pieces, bool closed);
 
 /// In words, e.g. "G², not C²: the second derivative jumps by 3.1".
 std::string describe(const Joint& joint);
+
+/// Whether the words are the same for both; quick where both are smooth.
+bool readAlike(const Joint& a, const Joint& b);
 
 } // namespace splineloft

@@ -1,72 +1,17 @@
 #include "core/spline/curve.h"
 
 #include "core/spline/arrangement.h"
+#include "core/spline/blending.h"
 #include "core/spline/catalog.h"
+#include "core/spline/live_pieces.h"
 #include "core/spline/problem.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 namespace splineloft {
 namespace {
-
-/// The parameters of a spline as its family reads them: at the arranged places where local.
-struct Settings {
-    std::vector<double> parameters;
-    std::vector<std::vector<double>> local;
-    std::vector<double> weights; ///< of the places; none in families that use none
-};
-
-Settings settingsOf(const Spline& spline, const Arrangement& arrangement) {
-    Settings settings{parametersOf(spline), {}, {}};
-    const auto atPlaces = [&](const std::vector<double>& values) {
-        std::vector<double> arranged;
-        for (const auto& place : arrangement.places) {
-            arranged.push_back(values.empty() ? 1 : values[place.control]);
-        }
-        return arranged;
-    };
-    for (const auto& parameter : familyOf(spline).parameters) {
-        const auto given = spline.local.find(std::string(parameter.key));
-        settings.local.push_back(given == spline.local.end() ? std::vector<double>()
-                                                             : atPlaces(given->second));
-    }
-    if (familyOf(spline).usesWeights) {
-        settings.weights = atPlaces(spline.weights);
-        // Only ratios matter. The largest near 1 keeps coordinates from overflowing.
-        const double unit = std::exp2(std::ilogb(std::ranges::max(settings.weights)));
-        for (double& weight : settings.weights) {
-            weight /= unit;
-        }
-    }
-    return settings;
-}
-
-template <Blendable T>
-Input<T> inputFor(const Spline& spline, const Arrangement& arrangement, const Settings& settings,
-                  std::span<const T> points, std::span<const T> tangents) {
-    return {points,
-            tangents,
-            arrangement.knots,
-            settings.parameters,
-            settings.local,
-            arrangement.windows,
-            arrangement.layout,
-            spline.closed};
-}
-
-/// What is blended, place after place, each times its weight where there are weights.
-template <Blendable T>
-std::vector<T> weighted(const std::vector<Place>& places, std::span<const T> controls,
-                        const std::vector<double>& weights) {
-    auto values = arranged<T>(places, controls);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        values[i] = weights[i] * values[i];
-    }
-    return values;
-}
 
 /// Unit recipes: exactly the control number first, first + 1, ...
 std::vector<Blend> unitBlends(std::size_t first, std::size_t count) {
@@ -77,19 +22,6 @@ std::vector<Blend> unitBlends(std::size_t first, std::size_t count) {
     return blends;
 }
 
-/// One coordinate of all points; in place of a weight, the coordinate after the last, ones.
-std::vector<double> column(const PointsView& table, int coordinate) {
-    std::vector<double> values(table.size(), 1.0);
-    for (std::size_t i = 0; i < table.size() && coordinate < table.dimension(); ++i) {
-        values[i] = table(i, coordinate);
-    }
-    return values;
-}
-
-std::size_t bezierPoints(const Arrangement& arrangement) {
-    return arrangement.pieces() * (static_cast<std::size_t>(arrangement.layout.degree) + 1);
-}
-
 void refuse(const std::optional<Problem>& problem) {
     if (problem) {
         throw std::invalid_argument("curve" + problem->place + " " + problem->what +
@@ -97,37 +29,16 @@ void refuse(const std::optional<Problem>& problem) {
     }
 }
 
-/// The pieces of a spline without problem.
-Pieces blended(const Spline& spline, const PointsView& points, const PointsView& tangents) {
-    const auto arrangement = arrangementOf(spline, points);
-    const auto& layout = arrangement.layout;
-    const int dimension = points.dimension();
-    if (arrangement.pieces() == 0) {
-        return {layout.degree, dimension, {}, {}, layout.form};
-    }
-    const auto& family = familyOf(spline);
-    const auto settings = settingsOf(spline, arrangement);
-    const auto count = bezierPoints(arrangement);
-    const int width = dimension + (layout.form == Form::rational ? 1 : 0);
-    const auto stride = static_cast<std::size_t>(width);
-    std::vector<double> bezier(count * stride);
-    std::vector<double> one(count);
-    for (int c = 0; c < width; ++c) {
-        const auto own = weighted<double>(arrangement.places, column(points, c), settings.weights);
-        std::vector<double> ownTangents;
-        if (family.usesTangents) {
-            ownTangents = arranged<double>(arrangement.places, column(tangents, c));
-        }
-        family.blendCoordinates(inputFor<double>(spline, arrangement, settings, own, ownTangents),
-                                {0, arrangement.pieces()}, one);
-        for (std::size_t i = 0; i < count; ++i) {
-            bezier[i * stride + static_cast<std::size_t>(c)] = one[i];
-        }
-    }
-    return {layout.degree, dimension, arrangement.joints, std::move(bezier), layout.form};
-}
-
 } // namespace
+
+bool differInPlacesAlone(const Curve& a, const Curve& b) {
+    const auto alike = [](const Points& one, const Points& other) {
+        return one.size() == other.size() && one.dimension() == other.dimension();
+    };
+    return static_cast<const Spline&>(a) == b && a.name == b.name &&
+           a.coordinates == b.coordinates && alike(a.points, b.points) &&
+           alike(a.tangents, b.tangents);
+}
 
 const Family& familyOf(const Spline& spline) {
     const Family* family = findFamily(spline.family);
@@ -186,12 +97,12 @@ std::size_t fewestPoints(const Spline& spline) {
 
 Pieces piecesOf(const Spline& spline, const PointsView& points, const PointsView& tangents) {
     refuse(problemOf(spline, points, tangents));
-    return blended(spline, points, tangents);
+    return LivePieces(spline, points, tangents).take();
 }
 
 Pieces piecesOf(const Curve& curve) {
     refuse(problemOf(curve));
-    return blended(curve, curve.points, curve.tangents);
+    return LivePieces(curve, curve.points, curve.tangents).take();
 }
 
 BlendPieces blendsOf(const Spline& spline, const PointsView& points, const PointsView& tangents) {
@@ -204,13 +115,16 @@ BlendPieces blendsOf(const Spline& spline, const PointsView& points, const Point
     }
     const auto& family = familyOf(spline);
     const auto settings = settingsOf(spline, arrangement);
-    const auto own = weighted<Blend>(arrangement.places, unitBlends(0, n), settings.weights);
+    auto own = arranged<Blend>(arrangement.places, unitBlends(0, n));
+    for (std::size_t i = 0; i < settings.weights.size(); ++i) {
+        own[i] = settings.weights[i] * own[i];
+    }
     std::vector<Blend> ownTangents;
     if (family.usesTangents) {
         ownTangents = arranged<Blend>(arrangement.places, unitBlends(n, n));
     }
-    std::vector<Blend> bezier(bezierPoints(arrangement));
-    family.blendRecipes(inputFor<Blend>(spline, arrangement, settings, own, ownTangents),
+    std::vector<Blend> bezier(arrangement.pieces() * bezierPointsOf(layout));
+    family.blendRecipes(inputFor<Blend>(spline.closed, arrangement, settings, own, ownTangents),
                         {0, arrangement.pieces()}, bezier);
     return {layout.degree, n, arrangement.joints, std::move(bezier), layout.form};
 }

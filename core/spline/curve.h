@@ -41,6 +41,9 @@ struct Curve : Spline {
     bool operator==(const Curve&) const = default;
 };
 
+/// Whether two curves differ at most in where their points and tangents are.
+bool differInPlacesAlone(const Curve& a, const Curve& b);
+
 /// The family of a spline. Throws std::invalid_argument where there is none of that id.
 const Family& familyOf(const Spline& spline);
 

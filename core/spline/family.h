@@ -6,6 +6,7 @@
 
 #include "core/spline/blend.h"
 #include "core/spline/piece.h"
+#include "core/spline/ranges.h"
 
 #include <cstddef>
 #include <span>
@@ -68,6 +69,9 @@ template <Blendable T> struct Input {
     std::span<const T> tangents; ///< one a point, for families that use them; by unit interval
     /// Parameter values. One a point; for B-splines the knots, points + degree + 1 of them.
     std::span<const double> knots;
+    /// Where chords space the knots, the intervals between them: to be read rather than their
+    /// differences, which round otherwise when a point before them moves.
+    std::span<const double> intervals;
     std::span<const double> parameters; ///< in the order of the family's description
     /// For each parameter its values at the points, or none where it has the same everywhere.
     std::span<const std::vector<double>> local;
@@ -83,16 +87,10 @@ template <Blendable T> struct Input {
     }
 };
 
-/// The pieces [first, last) of a curve.
-struct PieceRange {
-    std::size_t first = 0, last = 0;
-    std::size_t size() const { return last - first; }
-};
-
-/// Fills `bezier` with the (degree + 1) Bézier points of each piece of the range; in rational form
+/// Fills `bezier` with the (degree + 1) Bézier points of each piece of a range; in rational form
 /// each of them times its weight, which is what the same blending makes of points that are all 1.
 template <Blendable T>
-using Blending = void (*)(const Input<T>& input, PieceRange range, std::span<T> bezier);
+using Blending = void (*)(const Input<T>& input, Range range, std::span<T> bezier);
 
 /// Where the parameter values come from.
 enum class Spacing {
@@ -115,6 +113,7 @@ struct Family {
     bool usesWeights = false; ///< each control point has a weight
     bool hasHandles = false;  ///< of every three points the first is an anchor, the others handles
     std::size_t mostPoints = 1'000'000;
+    bool isLocal = false;          ///< each piece depends on the points of its own window alone
     double mostCoordinate = 1e300; ///< up to which all derivatives by u are finite
     Spacing spacing = Spacing::uniform;
 
@@ -126,7 +125,7 @@ struct Family {
 /// A family whose pieces each look only at their own window: `Rule::piece(input, first, bezier)` is
 /// told where the window begins among the points and fills in one piece.
 template <class Rule, Blendable T>
-void blendLocally(const Input<T>& input, PieceRange range, std::span<T> bezier) {
+void blendLocally(const Input<T>& input, Range range, std::span<T> bezier) {
     const auto count = static_cast<std::size_t>(input.layout.degree) + 1;
     for (std::size_t i = range.first; i < range.last; ++i) {
         Rule::piece(input, input.windows[i], bezier.subspan((i - range.first) * count, count));
@@ -137,6 +136,7 @@ void blendLocally(const Input<T>& input, PieceRange range, std::span<T> bezier) 
 template <class Rule> Family localFamily(Family description) {
     description.blendCoordinates = &blendLocally<Rule, double>;
     description.blendRecipes = &blendLocally<Rule, Blend>;
+    description.isLocal = true;
     return description;
 }
 

@@ -52,6 +52,10 @@ Jet projected(const Jet& homogeneous) {
 
 } // namespace
 
+void KnotLine::move(std::size_t first, std::span<const double> knots) {
+    std::ranges::copy(knots, knots_.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
 Spot KnotLine::locate(double t) const {
     if (pieces() == 0) {
         return {};
@@ -163,6 +167,25 @@ Piece Pieces::operator[](std::size_t segment) const {
     const auto length = static_cast<std::size_t>((degree_ + 1) * piece.width());
     piece.coordinates = std::span(bezier_).subspan(segment * length, length);
     return piece;
+}
+
+Pieces Pieces::part(const Range& range) const {
+    if (range.size() == 0) {
+        return {degree_, dimension_, {}, {}, form_};
+    }
+    const auto length = (*this)[0].coordinates.size();
+    const auto knots = knots_.knots().subspan(range.first, range.size() + 1);
+    const auto numbers = bezier().subspan(range.first * length, range.size() * length);
+    return {degree_,
+            dimension_,
+            KnotLine({knots.begin(), knots.end()}),
+            {numbers.begin(), numbers.end()},
+            form_};
+}
+
+void Pieces::overwrite(std::size_t first, std::span<const double> bezier) {
+    const auto start = first * (*this)[first].coordinates.size();
+    std::ranges::copy(bezier, bezier_.begin() + static_cast<std::ptrdiff_t>(start));
 }
 
 Jet Pieces::jetByParameter(Spot spot) const {

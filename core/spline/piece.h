@@ -4,6 +4,7 @@
 
 #include "core/spline/ladder.h"
 #include "core/spline/point.h"
+#include "core/spline/ranges.h"
 
 #include <cstddef>
 #include <optional>
@@ -32,6 +33,9 @@ class KnotLine {
     double end() const { return knots_.back(); }
     /// Length of the interval of piece `segment`; 0 where control points coincide.
     double interval(std::size_t segment) const { return knots_[segment + 1] - knots_[segment]; }
+
+    /// Puts other knots in the place of those from number `first` on.
+    void move(std::size_t first, std::span<const double> knots);
 
     /// Where parameter value t lies. A joint belongs to the piece that begins there, the end to the
     /// last piece; values outside are moved to the nearer end.
@@ -101,6 +105,14 @@ class Pieces {
     std::span<const double> bezier() const { return bezier_; }
 
     Piece operator[](std::size_t segment) const;
+
+    /// Some of the pieces, with their knots.
+    Pieces part(const Range& range) const;
+    /// Puts other Bézier points in the place of those from piece `first` on.
+    void overwrite(std::size_t first, std::span<const double> bezier);
+    /// Puts other knots in the place of those from number `first` on.
+    void moveKnots(std::size_t first, std::span<const double> knots) { knots_.move(first, knots); }
+
     Point position(Spot spot) const { return (*this)[spot.segment].position(spot.u); }
     /// Derivatives by u of the spot's piece.
     Jet jet(Spot spot) const { return (*this)[spot.segment].jet(spot.u); }

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <ranges>
+#include <span>
 #include <type_traits>
 
 namespace splineloft {
@@ -106,6 +107,17 @@ class PointsView {
     std::size_t size() const { return count_; }
     bool empty() const { return count_ == 0; }
     int dimension() const { return dimension_; }
+
+    /// All coordinates, row after row, where they are doubles that lie so in memory; else none.
+    std::span<const double> rows() const {
+        const auto width = static_cast<std::size_t>(dimension_);
+        bool dense = isDouble_ && stride_ == width * sizeof(double);
+        for (std::size_t c = 0; dense && c < width; ++c) {
+            dense = offsets_[c] == c * sizeof(double);
+        }
+        return dense ? std::span(reinterpret_cast<const double*>(first_), count_ * width)
+                     : std::span<const double>();
+    }
 
     double operator()(std::size_t point, int coordinate) const {
         const auto* at = first_ + point * stride_ + offsets_[static_cast<std::size_t>(coordinate)];

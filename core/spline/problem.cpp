@@ -1,5 +1,6 @@
 #include "core/spline/problem.h"
 
+#include "core/spline/algebra/scale.h"
 #include "core/spline/catalog.h"
 
 #include <algorithm>
@@ -126,19 +127,20 @@ std::optional<Problem> weightsProblem(const Spline& spline, const Family& family
 std::optional<Problem> orderProblem(std::span<const double> knots, std::size_t most) {
     std::size_t times = 0;
     for (std::size_t i = 0; i < knots.size(); ++i) {
-        const std::string place = "/knots/" + std::to_string(i);
+        const auto place = [i] { return "/knots/" + std::to_string(i); };
         if (!(std::abs(knots[i]) <= mostKnot)) {
-            return Problem{place, "is " + shortest(knots[i]),
+            return Problem{place(), "is " + shortest(knots[i]),
                            "a number from " + shortest(-mostKnot) + " to " + shortest(mostKnot)};
         }
         if (i > 0 && knots[i] < knots[i - 1]) {
-            return Problem{place,
+            return Problem{place(),
                            "falls from " + shortest(knots[i - 1]) + " to " + shortest(knots[i]),
                            "knots that never fall"};
         }
         times = i > 0 && knots[i] == knots[i - 1] ? times + 1 : 1;
         if (times > most) {
-            return Problem{place, shortest(knots[i]) + " stands more than " + counted(most, "time"),
+            return Problem{place(),
+                           shortest(knots[i]) + " stands more than " + counted(most, "time"),
                            "each knot at most " + counted(most, "time")};
         }
     }
@@ -201,6 +203,9 @@ std::optional<Problem> tableProblem(const PointsView& table, int dimension, doub
     if (table.dimension() != dimension) {
         return Problem{place, "has " + std::to_string(table.dimension()) + " coordinates",
                        "as many as the points have: " + std::to_string(dimension)};
+    }
+    if (const auto rows = table.rows(); !rows.empty() && allWithin(rows, most)) {
+        return std::nullopt;
     }
     for (std::size_t i = 0; i < table.size(); ++i) {
         for (int c = 0; c < dimension; ++c) {
@@ -306,15 +311,19 @@ std::optional<Problem> problemOf(const Spline& spline, const PointsView& points,
     };
     then([&] { return endsProblem(spline, *family); });
     then([&] { return dimensionProblem(points); });
-    then([&] {
-        return tableProblem(points, points.dimension(), family->mostCoordinate, "/points");
-    });
-    then([&] { return tangentsProblem(spline, *family, points, tangents); });
+    then([&] { return placesProblem(spline, points, tangents); });
     then([&] { return parameterProblem(spline, *family); });
     then([&] { return localProblem(spline, *family, points.size()); });
     then([&] { return weightsProblem(spline, *family, points.size()); });
     then([&] { return knotsProblem(spline, *family, points.size()); });
     return problem;
+}
+
+std::optional<Problem> placesProblem(const Spline& spline, const PointsView& points,
+                                     const PointsView& tangents) {
+    const Family& family = familyOf(spline);
+    auto problem = tableProblem(points, points.dimension(), family.mostCoordinate, "/points");
+    return problem ? problem : tangentsProblem(spline, family, points, tangents);
 }
 
 std::optional<Problem> problemOf(const Curve& curve) {

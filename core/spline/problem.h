@@ -25,7 +25,11 @@ std::string pointerToken(std::size_t index);
 std::optional<Problem> problemOf(const Spline& spline, const PointsView& points,
                                  const PointsView& tangents = {});
 
-/// The same of a curve and the names of its coordinates.
+/// The first of the points or tangents that lies where it must not, if any.
+std::optional<Problem> placesProblem(const Spline& spline, const PointsView& points,
+                                     const PointsView& tangents = {});
+
+/// The same as the first of a curve and the names of its coordinates.
 std::optional<Problem> problemOf(const Curve& curve);
 
 } // namespace splineloft

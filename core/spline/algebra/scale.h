@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 
 namespace splineloft {
@@ -14,6 +16,22 @@ inline double largestOf(std::span<const double> numbers) {
         largest = std::max(largest, std::abs(x));
     }
     return largest;
+}
+
+/// Whether all numbers are at most so large, and none is NaN. As quick as reading them.
+inline bool allWithin(std::span<const double> numbers, double most) {
+    const auto beyond = [most](double x) { return std::abs(x) <= most ? 0.0 : 1.0; };
+    std::array<double, 4> counts{}; // of every fourth number, so that none waits for the others
+    std::size_t i = 0;
+    for (; i + counts.size() <= numbers.size(); i += counts.size()) {
+        for (std::size_t k = 0; k < counts.size(); ++k) {
+            counts[k] += beyond(numbers[i + k]);
+        }
+    }
+    for (; i < numbers.size(); ++i) {
+        counts[0] += beyond(numbers[i]);
+    }
+    return counts[0] + counts[1] + counts[2] + counts[3] == 0;
 }
 
 /// A power of two by which numbers up to `largest` are multiplied to be squared safely; 1 for all

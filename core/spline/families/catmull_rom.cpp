@@ -22,10 +22,9 @@ struct CatmullRom {
     template <Blendable T>
     static void piece(const Input<T>& input, std::size_t i, std::span<T> bezier) {
         const auto p = input.points.subspan(i, 4);
-        const auto t = input.knots.subspan(i, 4);
-        const double before = t[1] - t[0];
-        const double own = t[2] - t[1];
-        const double after = t[3] - t[2];
+        const double before = input.intervals[i];
+        const double own = input.intervals[i + 1];
+        const double after = input.intervals[i + 2];
         hermiteToBezier<T>(p[1], own * parabolaTangent<T>(p[0], p[1], p[2], before, own),
                            own * parabolaTangent<T>(p[1], p[2], p[3], own, after), p[2], bezier);
     }

@@ -102,7 +102,7 @@ template <Blendable T> class Equations {
 
 struct Natural {
     template <Blendable T>
-    static void pieces(const Input<T>& input, PieceRange range, std::span<T> bezier) {
+    static void pieces(const Input<T>& input, Range range, std::span<T> bezier) {
         const Equations<T> equations(input);
         const auto second = input.closed ? equations.periodic() : equations.natural();
         for (std::size_t i = range.first; i < range.last; ++i) {
