@@ -82,4 +82,9 @@ struct PointId {
 /// What is wrong with one of the document's curves, if anything: `place` begins with /curves/i.
 std::optional<Problem> problemOf(const Document& document);
 
+/// The same after a change of a document without problem, of which only what differs is looked at:
+/// not the curves that both have in common, and of a curve of which only points and tangents are
+/// elsewhere, nothing but these.
+std::optional<Problem> problemOf(const Document& document, const Document& sound);
+
 } // namespace splineloft

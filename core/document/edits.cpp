@@ -29,9 +29,9 @@ Point movedBy(Point place, const Point& delta) {
     return place;
 }
 
-void movePointsOf(Curve& curve, HandleModes& modes, const std::vector<PointId>& ids,
-                  const Point& delta) {
-    const Curve before = curve;
+/// Moves points of `curve`, which is a copy of `before`.
+void movePointsOf(const Curve& before, Curve& curve, HandleModes& modes,
+                  const std::vector<PointId>& ids, const Point& delta) {
     for (const auto& id : ids) {
         if (id.part == Part::tangent) {
             curve.tangents.set(id.index, movedBy(before.tangents.at(id.index), delta));
@@ -120,7 +120,8 @@ Document movePoints(const Document& document, std::span<const PointId> ids, cons
                              [i](const PointId& id) { return id.curve == i; });
         if (!own.empty()) {
             next = changed(next, i, [&](Curve& curve, HandleModes& modes) {
-                movePointsOf(curve, modes, own, fitted(delta, curve.points.dimension()));
+                movePointsOf(*document.curves[i], curve, modes, own,
+                             fitted(delta, curve.points.dimension()));
             });
         }
     }

@@ -126,7 +126,7 @@ std::set<std::size_t> withTheirHandles(const Curve& curve, std::span<const Point
         if (id.part == Part::tangent) {
             continue;
         }
-        points.insert(id.index);
+        points.insert(points.end(), id.index); // they mostly come in order
         if (hasHandles(curve) && id.index % 3 == 0) {
             points.merge(handlesOf(curve, id.index));
         }

@@ -7,7 +7,11 @@
 #include "tests/property/random_curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
 
 namespace splineloft {
 namespace {
@@ -434,6 +438,24 @@ TEST(Edits, inAnyOrderMakeDrawableDocumentsAndLeaveTheOldOnesAlone) {
             ASSERT_NO_THROW(piecesOf(*next.curves[0])) << "seed " << seed << " step " << step;
             document = std::move(next);
         }
+    }
+}
+
+TEST(MovePoints, leavesFourteenDigits) {
+    // As read back from their decimals, of sums of any size.
+    std::mt19937_64 engine(4);
+    const auto random = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5; };
+    for (int k = 0; k < 20'000; ++k) {
+        const double size = std::pow(10.0, static_cast<int>(engine() % 26) - 16);
+        const double a = k % 3 == 0 ? std::round(1e5 * random()) / 1e3 : size * random();
+        const double b = k % 3 == 0 ? std::round(1e5 * random()) / 1e3 : size * random();
+        Curve curve = planeCurve("cardinal", 4);
+        curve.points.set(0, {a, 1});
+        const Document after = movePoints(documentOf(curve), std::vector<PointId>{{0, 0}}, {b, 0});
+        std::array<char, 40> text{};
+        std::snprintf(text.data(), text.size(), "%.13e", a + b);
+        EXPECT_EQ(after.curves[0]->points[0][0], b == 0 ? a : std::strtod(text.data(), nullptr))
+            << text.data();
     }
 }
 

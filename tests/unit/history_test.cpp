@@ -3,6 +3,8 @@
 
 #include "tests/property/random_curves.h"
 
+#include <cmath>
+
 namespace splineloft {
 namespace {
 
@@ -209,6 +211,37 @@ TEST(Document, problemsNameTheCurve) {
     document.curves[1] = std::make_shared<Curve>(odd);
     ASSERT_TRUE(problemOf(document));
     EXPECT_EQ(problemOf(document)->place, "/curves/1/family");
+}
+
+TEST(Document, problemsOfAChangeAreThoseOfTheWhole) {
+    const auto withPoint = [](Document document, std::size_t curve, double x) {
+        Curve changed = *document.curves[curve];
+        changed.points.set(1, {x, 2});
+        document.curves[curve] = std::make_shared<Curve>(std::move(changed));
+        return document;
+    };
+    Document sound = numbered(4);
+    sound.curves.push_back(numbered(5).curves[0]);
+    for (const double x : {5.0, 1e9, -1.5e9, 1e305, HUGE_VAL, std::nan("")}) {
+        for (const std::size_t at : {0, 1}) {
+            const Document after = withPoint(sound, at, x);
+            const auto wanted = problemOf(after);
+            const auto found = problemOf(after, sound);
+            EXPECT_EQ(wanted.has_value(), !(std::abs(x) <= 1e9)) << x;
+            ASSERT_EQ(found.has_value(), wanted.has_value()) << x;
+            if (wanted) {
+                EXPECT_EQ(found->place, wanted->place) << x;
+                EXPECT_EQ(found->what, wanted->what) << x;
+            }
+        }
+    }
+    Curve odd = *sound.curves[1];
+    odd.family = "odd";
+    Document other = sound;
+    other.curves[1] = std::make_shared<Curve>(odd);
+    ASSERT_TRUE(problemOf(other, sound));
+    EXPECT_EQ(problemOf(other, sound)->place, "/curves/1/family");
+    EXPECT_FALSE(problemOf(sound, other));
 }
 
 } // namespace
