@@ -80,6 +80,10 @@ void releaseRenderbuffer(unsigned name) {
     glDeleteRenderbuffers(1, &name);
 }
 
+void releaseTexture(unsigned name) {
+    glDeleteTextures(1, &name);
+}
+
 Program::Program(const std::string& name, const char* vertexBody, const char* fragmentBody)
     : name_(glCreateProgram()) {
     attachShader(name_.value(), GL_VERTEX_SHADER, vertexBody, name);
@@ -97,8 +101,16 @@ void Program::use() const {
     glUseProgram(name_.value());
 }
 
-void Program::setVec2(const char* uniform, float x, float y) const {
+void Program::set(const char* uniform, float x, float y) const {
     glUniform2f(glGetUniformLocation(name_.value(), uniform), x, y);
+}
+
+void Program::set(const char* uniform, const std::array<float, 4>& numbers) const {
+    glUniform4fv(glGetUniformLocation(name_.value(), uniform), 1, numbers.data());
+}
+
+void Program::set(const char* uniform, const std::array<int, 4>& numbers) const {
+    glUniform4iv(glGetUniformLocation(name_.value(), uniform), 1, numbers.data());
 }
 
 StreamBuffer::StreamBuffer() : name_(make(glGenBuffers)) {}
@@ -115,6 +127,48 @@ void StreamBuffer::upload(std::span<const std::byte> bytes) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }
+
+TexelRow::TexelRow(std::size_t texels) : name_(make(glGenTextures)) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    const auto lines = std::max<std::size_t>((texels + width - 1) / width, 1);
+    if (lines > static_cast<std::size_t>(most)) {
+        throw WindowError("the graphics driver has no room for a curve of so many points: it takes "
+                          "textures of at most " +
+                          std::to_string(most) + " lines, and " + std::to_string(lines) +
+                          " are needed");
+    }
+    bind();
+    for (const auto parameter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+        glTexParameteri(GL_TEXTURE_2D, parameter, GL_NEAREST); // four floats are not filtered
+    }
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(width),
+                 static_cast<GLsizei>(lines), 0, GL_RGBA, GL_FLOAT, nullptr);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void TexelRow::upload(std::size_t first, std::span<const float> numbers) {
+    bind();
+    const auto last = first + numbers.size() / 4;
+    for (auto at = first; at < last;) {
+        // The rest of a line that has begun, or as many whole lines as there are, or a last part.
+        const auto column = at % width;
+        const auto lines = column == 0 ? (last - at) / width : 0;
+        const auto columns = lines > 0 ? width : std::min(width - column, last - at);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(column),
+                        static_cast<GLint>(at / width), static_cast<GLsizei>(columns),
+                        static_cast<GLsizei>(std::max<std::size_t>(lines, 1)), GL_RGBA, GL_FLOAT,
+                        numbers.data() + (at - first) * 4);
+        at += columns * std::max<std::size_t>(lines, 1);
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void TexelRow::bind() const {
+    glBindTexture(GL_TEXTURE_2D, name_.value());
+}
+
+VertexArray::VertexArray() : name_(make(glGenVertexArrays)) {}
 
 VertexArray::VertexArray(const StreamBuffer& buffer, std::size_t stride,
                          std::span<const InstanceAttribute> attributes)

@@ -2,6 +2,7 @@
 // but never copied. All need a current OpenGL 3.3 context, and die before it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -40,6 +41,7 @@ void releaseBuffer(unsigned name);
 void releaseVertexArray(unsigned name);
 void releaseFramebuffer(unsigned name);
 void releaseRenderbuffer(unsigned name);
+void releaseTexture(unsigned name);
 
 /// A pair of shaders, linked.
 class Program {
@@ -48,8 +50,10 @@ class Program {
     /// driver's log when it refuses them; `name` says which program that was.
     Program(const std::string& name, const char* vertexBody, const char* fragmentBody);
     void use() const;
-    /// Sets a uniform of two numbers; the program must be in use.
-    void setVec2(const char* uniform, float x, float y) const;
+    // Set a uniform; the program must be in use.
+    void set(const char* uniform, float x, float y) const;
+    void set(const char* uniform, const std::array<float, 4>& numbers) const;
+    void set(const char* uniform, const std::array<int, 4>& numbers) const;
 
   private:
     Name<releaseProgram> name_;
@@ -67,6 +71,22 @@ class StreamBuffer {
   private:
     Name<releaseBuffer> name_;
     std::size_t capacity_ = 0;
+};
+
+/// A long row of texels, four floats each, that a shader reads by their index: folded into lines of
+/// `width`, for a texture has few texels in one direction.
+class TexelRow {
+  public:
+    static constexpr std::size_t width = 2048;
+
+    /// With room for so many texels. Throws WindowError where the driver has not that much.
+    explicit TexelRow(std::size_t texels);
+    /// Replaces texels from `first` on; four numbers each.
+    void upload(std::size_t first, std::span<const float> numbers);
+    void bind() const;
+
+  private:
+    Name<releaseTexture> name_;
 };
 
 /// How the bytes of an attribute are read.
@@ -90,6 +110,8 @@ class VertexArray {
     /// Instances lie `stride` bytes apart in `buffer`.
     VertexArray(const StreamBuffer& buffer, std::size_t stride,
                 std::span<const InstanceAttribute> attributes);
+    /// Nothing is read from any buffer.
+    VertexArray();
     void bind() const;
 
   private:

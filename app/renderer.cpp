@@ -1,6 +1,7 @@
 #include "app/renderer.h"
 
 #include "app/imgui_versions.h"
+#include "ui/packing.h"
 
 #include "shaders.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -63,11 +65,15 @@ constexpr std::array ribbonAttributes{
                       ribbonVertex(2) + offsetof(ui::RibbonVertex, colour)},
     InstanceAttribute{6, 2, AttributeKind::number, ribbonVertex(3)}};
 
-void clear(ui::Colour colour) {
+/// Red, green, blue and alpha from 0 to 1.
+std::array<float, 4> numbersOf(ui::Colour colour) {
     const auto part = [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; };
-    const auto alpha = part(colour.alpha);
-    glClearColor(part(colour.red) * alpha, part(colour.green) * alpha, part(colour.blue) * alpha,
-                 alpha);
+    return {part(colour.red), part(colour.green), part(colour.blue), part(colour.alpha)};
+}
+
+void clear(ui::Colour colour) {
+    const auto [red, green, blue, alpha] = numbersOf(colour);
+    glClearColor(red * alpha, green * alpha, blue * alpha, alpha);
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
@@ -90,6 +96,17 @@ class Clip {
     Clip& operator=(const Clip&) = delete;
 };
 
+/// A vertex shader with what it takes to lay out the segments of strokes before it.
+std::string withSegments(const char* body) {
+    return std::string(shaders::segmentVertex) + body;
+}
+
+/// Straight segments that a run is drawn with.
+std::size_t segmentsOf(const ui::PieceRun& run) {
+    const auto pieces = run.last - run.first;
+    return run.step > 1 ? (pieces + run.step - 1) / run.step : pieces * run.segments;
+}
+
 } // namespace
 
 Renderer::Batch::Batch(const char* name, const char* vertexBody, const char* fragmentBody,
@@ -100,7 +117,7 @@ void Renderer::Batch::draw(std::span<const std::byte> instances, std::size_t cou
                            const ui::Screen& screen) {
     buffer.upload(instances);
     program.use();
-    program.setVec2("screen", static_cast<float>(screen.width), static_cast<float>(screen.height));
+    program.set("screen", static_cast<float>(screen.width), static_cast<float>(screen.height));
     vertices.bind();
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shaders multiply by alpha themselves
@@ -114,9 +131,10 @@ void Renderer::Batch::draw(std::span<const std::byte> instances, std::size_t cou
 Renderer::Renderer()
     : areas_("area", shaders::areaVertex, shaders::areaFragment, sizeof(AreaInstance),
              areaAttributes),
-      ribbons_("ribbon", shaders::ribbonVertex, shaders::ribbonFragment, sizeof(ui::RibbonVertex),
-               ribbonAttributes),
-      signs_("sign", shaders::signVertex, shaders::signFragment, sizeof(ui::Sign), signAttributes) {
+      ribbons_("ribbon", withSegments(shaders::ribbonVertex).c_str(), shaders::ribbonFragment,
+               sizeof(ui::RibbonVertex), ribbonAttributes),
+      signs_("sign", shaders::signVertex, shaders::signFragment, sizeof(ui::Sign), signAttributes),
+      pieces_("piece", withSegments(shaders::pieceVertex).c_str(), shaders::ribbonFragment) {
     if (ImGui::GetCurrentContext() != nullptr) {
         panels_ = ImGui_ImplOpenGL3_Init("#version 330 core");
     }
@@ -140,6 +158,7 @@ void Renderer::draw(const ui::FrameResult& frame, const ui::Screen& screen) {
     for (const auto& picture : frame.pictures) {
         drawPicture(picture, screen);
     }
+    tables_.forgetUnused();
     auto* const panels = panels_ ? ImGui::GetDrawData() : nullptr;
     if (panels != nullptr) {
         ImGui_ImplOpenGL3_RenderDrawData(panels);
@@ -154,7 +173,14 @@ void Renderer::drawPicture(const ui::Picture& picture, const ui::Screen& screen)
         drawAreas(std::array{ui::Area{picture.frame, picture.background}}, screen);
     }
     drawAreas(picture.areas, screen);
-    drawRibbons(picture.ribbons, screen);
+    const auto ribbons = std::span(picture.ribbons);
+    std::size_t drawn = 0;
+    for (const auto& stroke : picture.pieces) {
+        drawRibbons(ribbons.subspan(drawn, stroke.ribbonsBefore - drawn), screen);
+        drawn = stroke.ribbonsBefore;
+        drawPieces(stroke, screen);
+    }
+    drawRibbons(ribbons.subspan(drawn), screen);
     drawSigns(picture.signs, screen);
 }
 
@@ -177,6 +203,38 @@ void Renderer::drawRibbons(std::span<const ui::RibbonVertex> ribbons, const ui::
     if (ribbons.size() > readAhead) {
         ribbons_.draw(std::as_bytes(ribbons), ribbons.size() - readAhead, screen);
     }
+}
+
+void Renderer::drawPieces(const ui::PieceStroke& stroke, const ui::Screen& screen) {
+    const auto& table = stroke.table;
+    tables_.upToDate(table).bind();
+    const auto number = [](auto value) { return static_cast<int>(value); };
+    const auto centreX = ui::split(stroke.centre.x);
+    const auto centreY = ui::split(stroke.centre.y);
+    pieces_.use();
+    pieces_.set("screen", static_cast<float>(screen.width), static_cast<float>(screen.height));
+    pieces_.set("table_shape", std::array{table.degree, number(table.stride),
+                                          number(table.points.size()), number(stroke.closed)});
+    pieces_.set("centre", std::array{centreX[0], centreY[0], centreX[1], centreY[1]});
+    pieces_.set("placing",
+                std::array{static_cast<float>(stroke.origin.x), static_cast<float>(stroke.origin.y),
+                           static_cast<float>(stroke.pixelsPerUnit),
+                           static_cast<float>(stroke.line)});
+    pieces_.set("style",
+                std::array{stroke.style.width / 2, stroke.style.dash, stroke.style.gap, 0.0F});
+    pieces_.set("paint", numbersOf(stroke.style.colour));
+    noVertices_.bind();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const auto& run : stroke.runs) {
+        pieces_.set("run", std::array{number(run.first), number(run.last), number(run.segments),
+                                      number(run.step)});
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segmentsOf(run)));
+    }
+    glDisable(GL_BLEND);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void Renderer::drawSigns(std::span<const ui::Sign> signs, const ui::Screen& screen) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/gl.h"
+#include "app/piece_tables.h"
 #include "ui/drawing.h"
 #include "ui/frame.h"
 
@@ -42,9 +43,13 @@ class Renderer {
     void drawPicture(const ui::Picture& picture, const ui::Screen& screen);
     void drawAreas(std::span<const ui::Area> areas, const ui::Screen& screen);
     void drawRibbons(std::span<const ui::RibbonVertex> ribbons, const ui::Screen& screen);
+    void drawPieces(const ui::PieceStroke& stroke, const ui::Screen& screen);
     void drawSigns(std::span<const ui::Sign> signs, const ui::Screen& screen);
 
     Batch areas_, ribbons_, signs_;
+    gl::Program pieces_;
+    gl::VertexArray noVertices_; // all that is drawn of pieces comes from their table
+    PieceTables tables_;
     bool panels_ = false; // Dear ImGui is drawn too
 };
 

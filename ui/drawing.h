@@ -62,16 +62,6 @@ struct Area {
     Colour fill;
 };
 
-/// One picture inside one rectangle of the window: drawn in the order areas, ribbons, signs, and
-/// clipped to `frame`, after `frame` was filled with `background`.
-struct Picture {
-    ScreenRect frame;
-    Colour background;
-    std::vector<Area> areas = {};
-    std::vector<RibbonVertex> ribbons = {};
-    std::vector<Sign> signs = {};
-};
-
 /// How a stroke looks.
 struct StrokeStyle {
     float width = 1; ///< pixels
@@ -79,8 +69,64 @@ struct StrokeStyle {
     Colour colour;
 };
 
-/// Appends a stroke through `points`; a closed one joins its last point to its first.
+/// A place in the plane of the canvas: document units, y up.
+struct PlanePoint {
+    double x = 0, y = 0;
+    bool operator==(const PlanePoint&) const = default;
+};
+
+class Revisions;
+
+/// Bézier points of many pieces, in the plane. The renderer keeps its own copy of them from frame
+/// to frame and fetches only what `revisions` says is new.
+struct PieceTable {
+    /// Piece i has the points i * stride .. i * stride + degree. Valid until the next frame is run.
+    std::span<const PlanePoint> points;
+    int degree = 3;                       ///< 1 to 3
+    std::size_t stride = 4;               ///< points; 1 for the legs of a polygon
+    std::size_t blockPoints = 0;          ///< points that a block of the revisions stands for
+    const Revisions* revisions = nullptr; ///< as long as `points`
+};
+
+/// Neighbouring pieces that are drawn equally finely.
+struct PieceRun {
+    std::size_t first = 0, last = 0; ///< pieces [first, last)
+    std::size_t segments = 1;        ///< straight ones for each piece; 1 where `step` is above 1
+    std::size_t step = 1;            ///< pieces for which one straight segment stands
+};
+
+/// What of each piece is drawn.
+enum class PieceLine : std::uint8_t { curve, firstLeg, lastLeg };
+
+/// A stroke along pieces, of which the renderer makes ribbons by itself.
+struct PieceStroke {
+    PieceTable table;
+    std::vector<PieceRun> runs;
+    PieceLine line = PieceLine::curve;
+    bool closed =
+        false;         ///< the last piece meets the first; with stride 1, the last leg leads there
+    PlanePoint centre; ///< the place that lies at `origin` on the screen
+    ScreenPoint origin;
+    double pixelsPerUnit = 1;
+    StrokeStyle style;
+    std::size_t ribbonsBefore = 0; ///< ribbon vertices of the picture that lie beneath it
+};
+
+/// One picture inside one rectangle of the window: drawn in the order areas, ribbons with the
+/// strokes along pieces among them, signs, and clipped to `frame`, after `frame` was filled with
+/// `background`.
+struct Picture {
+    ScreenRect frame;
+    Colour background;
+    std::vector<Area> areas = {};
+    std::vector<RibbonVertex> ribbons = {};
+    std::vector<PieceStroke> pieces = {};
+    std::vector<Sign> signs = {};
+};
+
+/// Appends a stroke through `points`; a closed one joins its last point to its first. `laid` pixels
+/// of it, which its dashes count, are not there.
 void addStroke(Picture& picture, std::span<const ScreenPoint> points, const StrokeStyle& style,
-               bool closed = false);
+               bool closed = false, double laid = 0);
 
 } // namespace splineloft::ui

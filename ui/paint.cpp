@@ -53,7 +53,7 @@ std::vector<ScreenPoint> withoutRepeats(std::span<const ScreenPoint> points, boo
 } // namespace
 
 void addStroke(Picture& picture, std::span<const ScreenPoint> points, const StrokeStyle& style,
-               bool closed) {
+               bool closed, double laid) {
     const auto apart = withoutRepeats(points, closed);
     if (apart.empty()) {
         return;
@@ -66,7 +66,7 @@ void addStroke(Picture& picture, std::span<const ScreenPoint> points, const Stro
         picture.ribbons.push_back(vertex);
     };
     append(closed ? apart.back() : apart.front(), 0);
-    double along = 0;
+    double along = laid;
     for (std::size_t i = 0; i < apart.size() + (closed ? 1 : 0); ++i) {
         const ScreenPoint p = apart[i % apart.size()];
         if (i > 0) {
@@ -84,11 +84,22 @@ Picture paint(const Scene& scene, const Theme& theme, Colour background, double 
     for (const auto& area : scene.areas) {
         picture.areas.push_back({area.rect, colourOf(theme, area.ink)});
     }
-    for (const auto& stroke : scene.strokes) {
+    auto pieces = scene.pieces.begin();
+    const auto addPieces = [&](std::size_t strokes) {
+        for (; pieces != scene.pieces.end() && pieces->strokesBefore <= strokes; ++pieces) {
+            picture.pieces.push_back(pieces->stroke);
+            picture.pieces.back().style = strokeOf(theme, pieces->ink, scale);
+            picture.pieces.back().ribbonsBefore = picture.ribbons.size();
+        }
+    };
+    for (std::size_t i = 0; i < scene.strokes.size(); ++i) {
+        addPieces(i);
+        const auto& stroke = scene.strokes[i];
         StrokeStyle style = strokeOf(theme, stroke.ink, scale);
         style.width *= stroke.emphasised ? 1.6F : 1.0F;
-        addStroke(picture, stroke.points, style, stroke.closed);
+        addStroke(picture, stroke.points, style, stroke.closed, stroke.laid);
     }
+    addPieces(scene.strokes.size());
     for (const auto& mark : scene.marks) {
         picture.signs.push_back(signOf(mark, theme, background, scale));
     }

@@ -11,33 +11,19 @@ constexpr double usualUnit = 80;                 // design pixels, where there i
 constexpr double fitMargin = 72;                 // design pixels around what is fitted
 constexpr std::size_t mostPiecesLooked = 10'000; // more of them bulge nowhere far
 
-/// A box that grows around points.
-struct Bounds {
-    std::optional<PlanePoint> low;
-    PlanePoint high;
-
-    void include(PlanePoint p) {
-        high = low ? PlanePoint{std::max(high.x, p.x), std::max(high.y, p.y)} : p;
-        low = low ? PlanePoint{std::min(low->x, p.x), std::min(low->y, p.y)} : p;
-    }
-
-    void include(const Study& study, const Axes& axes) {
-        for (const auto& place : controlPlaces(study.curve(), axes)) {
-            include(place);
-        }
-        const CurvePlaces tips(study.curve(), axes);
-        for (std::size_t k = 0; k < study.curve().tangents.size(); ++k) {
-            include(tips.tangentTip(k));
-        }
-        const auto& plane = study.plane(axes);
-        for (std::size_t k = 0; k < std::min(plane.size(), mostPiecesLooked); ++k) {
-            for (const double u : {0.25, 0.5, 0.75}) {
-                const Point p = plane.position({k, u});
-                include({p[0], p[1]});
-            }
+/// The box around all of a curve, what bulges beyond its points included.
+PlaneBounds boundsOf(const PlaneStudy& study) {
+    PlaneBounds box = study.points().boxes().whole();
+    box.include(study.tips().boxes().whole());
+    const auto& plane = study.pieces();
+    for (std::size_t k = 0; k < std::min(plane.size(), mostPiecesLooked); ++k) {
+        for (const double u : {0.25, 0.5, 0.75}) {
+            const Point p = plane.position({k, u});
+            box.include(PlanePoint{p[0], p[1]});
         }
     }
-};
+    return box;
+}
 
 } // namespace
 
@@ -59,17 +45,18 @@ void fitIfAsked(Session& session) {
         return;
     }
     view.fitPending = false;
-    Bounds bounds;
+    PlaneBounds box;
     const auto& curves = session.document().curves;
     for (std::size_t i = 0; i < session.studies.size(); ++i) {
         if (curves[i].look.visible) {
-            bounds.include(session.studies[i], view.axes);
+            box.include(boundsOf(session.studies[i].inPlane(view.axes)));
         }
     }
-    const auto& [low, high] = bounds;
-    view.camera = low && !(*low == high)
-                      ? fitted(*low, high, session.canvas, fitMargin * session.scale)
-                      : Camera{low.value_or(PlanePoint{}), usualUnit * session.scale};
+    const PlanePoint low{box.left, box.bottom};
+    const PlanePoint high{box.right, box.top};
+    view.camera = !box.empty() && !(low == high)
+                      ? fitted(low, high, session.canvas, fitMargin * session.scale)
+                      : Camera{box.empty() ? PlanePoint{} : low, usualUnit * session.scale};
 }
 
 } // namespace splineloft::ui

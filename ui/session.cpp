@@ -39,7 +39,7 @@ void Session::apply(Edit edit) {
         complain(victim->name + " is locked: open its lock in the list of curves first");
         return tidy();
     }
-    if (const auto problem = problemOf(edit.next)) {
+    if (const auto problem = problemOf(edit.next, history.live())) {
         history.cancel();
         complain((edit.label.empty() ? "This" : edit.label) + " is not possible: " +
                  problem->place + " " + problem->what + "; right would be: " + problem->remedy);

@@ -95,7 +95,9 @@ void keepFirst(Curve& curve, std::size_t count) {
 }
 
 Curve firstPointsOf(const Curve& curve, std::size_t count) {
-    Curve few = curve;
+    Curve few;
+    static_cast<Spline&>(few) = curve;
+    few.coordinates = curve.coordinates;
     few.points = Points(curve.points.dimension());
     few.tangents = few.points;
     for (std::size_t i = 0; i < count; ++i) {
@@ -108,20 +110,75 @@ Curve firstPointsOf(const Curve& curve, std::size_t count) {
     return few;
 }
 
+/// Sets the continuity of the whole to the least of any joint.
+void takeLeastContinuity(Traits& traits) {
+    traits.c = traits.g = 2;
+    for (const auto& joint : traits.joints) {
+        traits.c = std::min(traits.c, joint.c);
+        traits.g = std::min(traits.g, joint.g);
+    }
+}
+
 } // namespace
 
-Study::Study(std::shared_ptr<const Curve> curve, const Study* earlier) : curve_(std::move(curve)) {
-    if (earlier != nullptr && earlier->blends_ && sameBlends(*curve_, *earlier->curve_)) {
-        blends_ = earlier->blends_;
-        basisGraph_ = earlier->basisGraph_;
+Study::Study(std::shared_ptr<const Curve> curve, Study&& earlier) : curve_(std::move(curve)) {
+    if (earlier.blends_ && sameBlends(*curve_, *earlier.curve_)) {
+        blends_ = earlier.blends_;
+        basisGraph_ = earlier.basisGraph_;
     }
+    if (earlier.pieces_) {
+        if (const auto moves = movesBetween(*earlier.curve_, *curve_)) {
+            follow(earlier, *moves);
+        }
+    }
+}
+
+void Study::follow(Study& earlier, const Moves& moves) {
+    const auto before = earlier.pieces_->pieces().size();
+    pieces_ = std::move(earlier.pieces_);
+    const auto changed = pieces_->follow(*curve_, moves);
+    if (earlier.plane_) {
+        plane_ = std::move(earlier.plane_);
+        plane_->follow(*curve_, moves, changed);
+    }
+    if (pieces_->pieces().size() == before) {
+        followTraits(earlier, moves, changed);
+    }
+}
+
+void Study::followTraits(Study& earlier, const Moves& moves, std::span<const Range> changed) {
+    const bool blendsMoved = knotsFollowPoints(*curve_) && !moves.points.empty() &&
+                             (measuredWhole() || moves.points.front().first < fewPoints);
+    if (!earlier.traits_ || blendsMoved) {
+        return;
+    }
+    traits_ = std::move(earlier.traits_);
+    auto& joints = traits_->joints;
+    const auto& all = pieces_->pieces();
+    for (const auto& range : changed) {
+        // Each piece meets others at both its ends.
+        for (auto i = range.first > 0 ? range.first - 1 : 0; i < range.last; ++i) {
+            if (i < joints.size()) {
+                joints[i] = jointAfter(all, i);
+            }
+        }
+        if (range.first == 0 && curve_->closed && !joints.empty()) {
+            joints.back() = jointAfter(all, joints.size() - 1);
+        }
+    }
+    if (knotsFollowPoints(*curve_)) {
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            joints[i].t = all.knots().knots()[i + 1];
+        }
+    }
+    takeLeastContinuity(*traits_);
 }
 
 const Pieces& Study::pieces() const {
     if (!pieces_) {
-        pieces_ = piecesOf(*curve_);
+        pieces_ = std::make_unique<LivePieces>(*curve_, curve_->points, curve_->tangents);
     }
-    return *pieces_;
+    return pieces_->pieces();
 }
 
 const ArcLength& Study::lengths() const {
@@ -131,11 +188,11 @@ const ArcLength& Study::lengths() const {
     return *lengths_;
 }
 
-const Pieces& Study::plane(const Axes& axes) const {
-    if (!plane_ || !(plane_->first == axes)) {
-        plane_.emplace(axes, flattened(pieces(), axes));
+const PlaneStudy& Study::inPlane(const Axes& axes) const {
+    if (!plane_ || !(plane_->axes() == axes)) {
+        plane_ = std::make_unique<PlaneStudy>(*curve_, pieces(), axes);
     }
-    return plane_->second;
+    return *plane_;
 }
 
 bool Study::measuredWhole() const {
@@ -173,10 +230,7 @@ const Traits& Study::traits() const {
     if (curve_->points.size() <= mostForJoints) {
         traits_->joints = jointsOf(pieces(), curve_->closed);
     }
-    for (const auto& joint : traits_->joints) {
-        traits_->c = std::min(traits_->c, joint.c);
-        traits_->g = std::min(traits_->g, joint.g);
-    }
+    takeLeastContinuity(*traits_);
     return *traits_;
 }
 
@@ -186,19 +240,21 @@ bool Study::isOnCurve(std::size_t control) const {
 }
 
 void Studies::follow(const Document& document) {
-    std::vector<std::unique_ptr<Study>> next;
-    for (std::size_t i = 0; i < document.curves.size(); ++i) {
-        const auto& curve = document.curves[i].curve;
-        const auto known = std::ranges::find(curves_, curve);
-        if (known != curves_.end()) {
-            auto& study = studies_[static_cast<std::size_t>(known - curves_.begin())];
-            if (study) { // a document may hold the same curve twice
-                next.push_back(std::move(study));
-                continue;
-            }
+    // Curves that stay keep their studies. Only then may others be made from those left over.
+    std::vector<std::unique_ptr<Study>> next(document.curves.size());
+    for (std::size_t i = 0; i < next.size(); ++i) {
+        const auto known = std::ranges::find(curves_, document.curves[i].curve);
+        if (known != curves_.end()) { // unless the document holds the same curve twice
+            next[i] = std::move(studies_[static_cast<std::size_t>(known - curves_.begin())]);
         }
-        const Study* earlier = i < studies_.size() ? studies_[i].get() : nullptr;
-        next.push_back(std::make_unique<Study>(curve, earlier));
+    }
+    for (std::size_t i = 0; i < next.size(); ++i) {
+        if (!next[i]) {
+            const bool hasEarlier = i < studies_.size() && studies_[i];
+            const auto& curve = document.curves[i].curve;
+            next[i] = hasEarlier ? std::make_unique<Study>(curve, std::move(*studies_[i]))
+                                 : std::make_unique<Study>(curve);
+        }
     }
     curves_.clear();
     std::ranges::transform(document.curves, std::back_inserter(curves_), &CurveEntry::curve);

@@ -4,7 +4,7 @@
 #include "core/spline/curve.h"
 #include "core/spline/measure/length.h"
 #include "core/spline/traits.h"
-#include "ui/canvas/view.h"
+#include "ui/plane_study.h"
 
 #include <memory>
 #include <optional>
@@ -34,15 +34,19 @@ struct BasisGraph {
 /// Everything worked out from one curve; each part when it is first asked for.
 class Study {
   public:
-    /// `earlier` may lend its blends, where these depend only on what has not changed.
-    explicit Study(std::shared_ptr<const Curve> curve, const Study* earlier = nullptr);
+    explicit Study(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}
+    /// Takes over from an earlier study what still holds, and works out anew what does not: where
+    /// only a few points have moved, little.
+    Study(std::shared_ptr<const Curve> curve, Study&& earlier);
 
     const Curve& curve() const { return *curve_; }
     const Family& family() const { return familyOf(*curve_); }
     const Pieces& pieces() const;
     const ArcLength& lengths() const;
-    /// The pieces in the plane of the canvas.
-    const Pieces& plane(const Axes& axes) const;
+    /// The curve in the plane of the canvas.
+    const PlaneStudy& inPlane(const Axes& axes) const;
+    /// Its pieces there.
+    const Pieces& plane(const Axes& axes) const { return inPlane(axes).pieces(); }
     /// The basis functions; null where the curve has too many points to show them.
     const BlendPieces* blends() const;
     /// Their graphs, where `blends` is not null.
@@ -54,10 +58,13 @@ class Study {
     bool isOnCurve(std::size_t control) const;
 
   private:
+    void follow(Study& earlier, const Moves& moves);
+    void followTraits(Study& earlier, const Moves& moves, std::span<const Range> changed);
+
     std::shared_ptr<const Curve> curve_;
-    mutable std::optional<Pieces> pieces_;
+    mutable std::unique_ptr<LivePieces> pieces_; // the others refer to them
     mutable std::optional<ArcLength> lengths_;
-    mutable std::optional<std::pair<Axes, Pieces>> plane_;
+    mutable std::unique_ptr<PlaneStudy> plane_;
     mutable std::shared_ptr<const BlendPieces> blends_;
     mutable std::shared_ptr<const BasisGraph> basisGraph_;
     mutable std::optional<Traits> traits_;

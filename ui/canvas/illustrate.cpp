@@ -1,13 +1,14 @@
 #include "ui/canvas/illustrate.h"
 
 #include "core/document/edits.h"
-#include "core/document/handles.h"
 #include "ui/canvas/grid.h"
-#include "ui/canvas/outline.h"
+#include "ui/canvas/line_work.h"
 #include "ui/canvas/wording.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace splineloft::ui {
 namespace {
@@ -20,15 +21,38 @@ constexpr std::size_t combTeeth = 150; // on the whole curve, about
 constexpr double longestTooth = 90;    // design pixels
 constexpr double usualTooth = 34;      // design pixels, for the mean curvature
 
+// More than these in view are thinned out.
+constexpr std::size_t mostMarks = 6000;
+constexpr std::size_t mostCombed = 600; // pieces
+
 constexpr double usualGap = 24; // design pixels between points whose marks have their full size
 constexpr double leastGap = 4;  // design pixels between marks that can be told apart
+
+/// Keeps marks in a row so far apart that they can be told apart.
+class Spacing {
+  public:
+    explicit Spacing(double least) : least_(least) {} // pixels
+
+    bool leavesRoomFor(ScreenPoint at) {
+        const double dx = at.x - last_.x;
+        const double dy = at.y - last_.y;
+        if (dx * dx + dy * dy < least_ * least_) {
+            return false;
+        }
+        last_ = at;
+        return true;
+    }
+
+  private:
+    double least_;
+    ScreenPoint last_{std::numeric_limits<double>::infinity(), 0}; // none yet
+};
 
 /// One scene being drawn.
 class Illustration {
   public:
     Illustration(const View& view, const Situation& situation)
-        : view_(view), s_(situation), viewport_(situation.viewport), scale_(situation.scale),
-          places_(situation.live, view.axes) {
+        : view_(view), s_(situation), viewport_(situation.viewport), scale_(situation.scale) {
         scene_.frame = viewport_.frame;
     }
 
@@ -40,27 +64,33 @@ class Illustration {
             if (i == view_.activeCurve || !look.visible) {
                 continue;
             }
-            stroke(outline(s_.studies[i].plane(view_.axes), viewport_),
-                   {Role::otherCurve, look.colour});
-            for (const auto& place : controlPlaces(s_.studies[i].curve(), view_.axes)) {
-                mark(place, shapeOf(s_.studies[i], 0), {Role::otherControl, look.colour});
-            }
+            const Study& study = s_.studies[i];
+            curve(study, {Role::otherCurve, look.colour});
+            const auto& points = study.inPlane(view_.axes).points();
+            const SignShape shape = shapeOf(study, 0);
+            forEachMark(points, 1, [&](std::size_t, PlanePoint place) {
+                mark(place, shape, {Role::otherControl, look.colour});
+            });
         }
     }
 
     void activeCurve(const Study& study) {
-        const auto line = outline(study.plane(view_.axes), viewport_);
         if (view_.ghost) {
-            stroke(line, {Role::curveHalo});
+            curve(study, {Role::curveHalo});
         }
         if (view_.layers.comb) {
             comb(study);
         }
-        if (view_.layers.polygon) {
-            polygon(study);
+        if (view_.layers.polygon && !study.family().hasHandles) { // handles tell the same
+            drawPolygon(scene_, study.inPlane(view_.axes), study.curve().closed, {Role::polygon},
+                        viewport_);
         }
-        handles(study);
-        stroke(line, {Role::curve, s_.live.curves[view_.activeCurve].look.colour});
+        if (study.family().hasHandles) {
+            drawHandles(scene_, study.inPlane(view_.axes), study.curve(), {Role::handleLine},
+                        viewport_);
+        }
+        tangents(study);
+        curve(study, {Role::curve, s_.live.curves[view_.activeCurve].look.colour});
     }
 
     void ladder(const Study& study) {
@@ -111,38 +141,33 @@ class Illustration {
     void joints(const Study& study) {
         for (const auto& joint : study.traits().joints) {
             if (joint.after < study.pieces().size()) {
-                const Point p = study.plane(view_.axes).position({joint.after, 0});
-                mark({p[0], p[1]}, SignShape::ring, {Role::joint});
+                mark(startOf(study, joint.after), SignShape::ring, {Role::joint});
             }
         }
     }
 
     void controls(const Study& study) {
-        const auto places = controlPlaces(study.curve(), view_.axes);
-        const double size = sizeOfMarks(places);
-        std::optional<ScreenPoint> last;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const ScreenPoint at = viewport_.toScreen(places[i]);
-            if (size < 1 && last &&
-                std::hypot(at.x - last->x, at.y - last->y) < leastGap * scale_) {
-                continue; // too near to the one before to be told apart
-            }
-            last = at;
+        const auto& points = study.inPlane(view_.axes).points();
+        const auto count = points.places().size();
+        const double size = sizeOfMarks(points);
+        forEachMark(points, size, [&](std::size_t i, PlanePoint place) {
             const Role role = isHandle(study, i) ? Role::handle : Role::control;
-            mark(places[i], shapeOf(study, i), {role, static_cast<int>(i)}, size);
-            if (view_.layers.labels && places.size() <= mostNames && !isHandle(study, i)) {
+            mark(place, shapeOf(study, i), {role, static_cast<int>(i)}, size);
+            if (view_.layers.labels && count <= mostNames && !isHandle(study, i)) {
                 scene_.labels.push_back({pointName(i) + weightNote(study, i),
-                                         viewport_.toScreen(places[i]),
+                                         viewport_.toScreen(place),
                                          11 * scale_,
                                          {Role::control, static_cast<int>(i)},
                                          false});
             }
-        }
+        });
     }
 
     void selection() {
+        Spacing spacing(view_.selection.size() > mostNames ? leastGap * scale_ : 0);
         for (const auto& id : view_.selection) {
-            if (id.curve < s_.live.curves.size()) {
+            if (id.curve < s_.live.curves.size() &&
+                spacing.leavesRoomFor(viewport_.toScreen(placeOf(id)))) {
                 mark(placeOf(id), SignShape::ring, {Role::selected});
             }
         }
@@ -262,18 +287,56 @@ class Illustration {
         }
     }
 
+    void curve(const Study& study, Ink ink) {
+        drawCurve(scene_, study.inPlane(view_.axes), study.curve().closed, ink, viewport_);
+    }
+
     /// Points that lie close together get small marks, so that the curve is still seen.
-    double sizeOfMarks(const std::vector<PlanePoint>& places) const {
-        if (places.size() <= mostNames) {
+    double sizeOfMarks(const PlacedPoints& points) const {
+        const auto count = points.places().size();
+        if (count <= mostNames) {
             return 1;
         }
-        double way = 0;
-        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-            way += std::hypot(places[i + 1].x - places[i].x, places[i + 1].y - places[i].y);
-        }
-        const double apart =
-            way * viewport_.camera.pixelsPerUnit / scale_ / static_cast<double>(places.size() - 1);
+        const double apart = points.way(count) * viewport_.camera.pixelsPerUnit / scale_ /
+                             static_cast<double>(count - 1);
         return std::clamp(apart / usualGap, 0.3, 1.0);
+    }
+
+    /// Which members of a sequence to show: all of a short one; of a long one those in view, and of
+    /// very many only every `step`th.
+    struct Sampling {
+        std::vector<Range> ranges;
+        std::size_t step = 1;
+    };
+    Sampling samplingOf(const BoxTree& boxes, std::size_t most) const {
+        if (boxes.count() <= most) {
+            return {{{0, boxes.count()}}};
+        }
+        auto ranges = rangesInView(boxes, viewport_);
+        const auto inView = membersOf(ranges);
+        return {std::move(ranges),
+                std::bit_ceil(std::max<std::size_t>((inView + most - 1) / most, 1))};
+    }
+
+    /// Calls `use(index, place)` for the points that get a mark: small ones only where they can be
+    /// told apart, and of very many in view every second, fourth ...
+    template <class Use> void forEachMark(const PlacedPoints& points, double size, Use use) const {
+        const auto places = points.places();
+        const auto [ranges, step] = samplingOf(points.boxes(), mostMarks);
+        Spacing spacing(size < 1 || step > 1 ? leastGap * scale_ : 0);
+        for (const auto& range : ranges) {
+            for (auto i = (range.first + step - 1) / step * step; i < range.last; i += step) {
+                if (spacing.leavesRoomFor(viewport_.toScreen(places[i]))) {
+                    use(i, places[i]);
+                }
+            }
+        }
+    }
+
+    /// Where a piece begins.
+    PlanePoint startOf(const Study& study, std::size_t piece) const {
+        const Point p = study.plane(view_.axes)[piece].bezierPoint(0);
+        return {p[0], p[1]};
     }
 
     void mark(PlanePoint place, SignShape shape, Ink ink, double size = 1) {
@@ -305,7 +368,11 @@ class Illustration {
                                     : SignShape::diamond;
     }
 
-    PlanePoint placeOf(const PointId& id) { return places_[id]; }
+    PlanePoint placeOf(const PointId& id) const {
+        const PlaneStudy& plane = s_.studies[id.curve].inPlane(view_.axes);
+        const auto places = (id.part == Part::tangent ? plane.tips() : plane.points()).places();
+        return id.index < places.size() ? places[id.index] : PlanePoint{};
+    }
 
     void rungName(int r, std::size_t i, ScreenPoint at) {
         if (view_.layers.labels) {
@@ -316,37 +383,16 @@ class Illustration {
         }
     }
 
-    void polygon(const Study& study) {
-        if (study.family().hasHandles) {
-            return; // its handles tell the same
-        }
-        std::vector<ScreenPoint> line;
-        for (const auto& place : controlPlaces(study.curve(), view_.axes)) {
-            line.push_back(viewport_.toScreen(place));
-        }
-        if (line.size() > 1) {
-            scene_.strokes.push_back({std::move(line), {Role::polygon}, study.curve().closed});
-        }
-    }
-
-    void handles(const Study& study) {
-        const Curve& curve = study.curve();
-        const CurvePlaces places(curve, view_.axes);
-        for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            if (const auto anchor = anchorOf(curve, i)) {
-                stroke({viewport_.toScreen(places.point(*anchor)),
-                        viewport_.toScreen(places.point(i))},
-                       {Role::handleLine});
-            }
-        }
-        for (std::size_t i = 0; i < curve.tangents.size(); ++i) {
-            const ScreenPoint from = viewport_.toScreen(places.point(i));
-            const ScreenPoint to = viewport_.toScreen(places.tangentTip(i));
+    void tangents(const Study& study) {
+        const PlaneStudy& plane = study.inPlane(view_.axes);
+        forEachMark(plane.tips(), 1, [&](std::size_t i, PlanePoint tip) {
+            const ScreenPoint from = viewport_.toScreen(plane.points().places()[i]);
+            const ScreenPoint to = viewport_.toScreen(tip);
             stroke({from, to}, {Role::handleLine});
             const double angle = std::atan2(to.y - from.y, to.x - from.x);
             scene_.marks.push_back(
                 {to, SignShape::square, {Role::handle, static_cast<int>(i)}, angle});
-        }
+        });
     }
 
     /// Teeth square to the curve, as long as the curvature; the mean has the usual length.
@@ -354,12 +400,15 @@ class Illustration {
         const auto& plane = study.plane(view_.axes);
         const int perPiece = static_cast<int>(
             std::clamp<std::size_t>(combTeeth / std::max<std::size_t>(plane.size(), 1), 6, 40));
+        const auto [ranges, step] = samplingOf(study.inPlane(view_.axes).boxes(), mostCombed);
         std::vector<Jet> jets;
         double sum = 0;
-        for (std::size_t i = 0; i < plane.size(); ++i) {
-            for (int k = 0; k <= perPiece; ++k) {
-                jets.push_back(plane.jet({i, static_cast<double>(k) / perPiece}));
-                sum += std::abs(jets.back().curvature.value_or(0));
+        for (const auto& range : ranges) {
+            for (auto i = range.first; i < range.last; i += step) {
+                for (int k = 0; k <= perPiece; ++k) {
+                    jets.push_back(plane.jet({i, static_cast<double>(k) / perPiece}));
+                    sum += std::abs(jets.back().curvature.value_or(0));
+                }
             }
         }
         const double mean = jets.empty() ? 0 : sum / static_cast<double>(jets.size());
@@ -385,7 +434,6 @@ class Illustration {
     const Situation& s_;
     const Viewport& viewport_;
     double scale_;
-    PointPlaces places_;
     Scene scene_;
 };
 
@@ -418,17 +466,25 @@ Scene illustrate(const View& view, const Gesture& gesture, const Situation& situ
 std::optional<std::size_t> jointNear(const Study& study, const View& view, const Viewport& viewport,
                                      ScreenPoint at, double reach) {
     const auto& joints = study.traits().joints;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (joints[i].after >= study.pieces().size()) {
-            continue;
-        }
-        const Point p = study.plane(view.axes).position({joints[i].after, 0});
-        const ScreenPoint there = viewport.toScreen({p[0], p[1]});
-        if (std::hypot(there.x - at.x, there.y - at.y) <= reach) {
-            return i;
-        }
+    if (joints.empty()) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    const PlaneStudy& plane = study.inPlane(view.axes);
+    std::optional<std::size_t> near;
+    const PlaneBounds box = around(viewport.toPlane(at), viewport.toPlane(reach));
+    plane.boxes().touching(box, [&](std::size_t block) {
+        const Range pieces = plane.boxes().block(block);
+        for (auto i = pieces.first; i < pieces.last && !near; ++i) {
+            // The joint at the start of piece i comes after i - 1, that of a loop after the last.
+            const auto joint = (i + plane.pieces().size() - 1) % plane.pieces().size();
+            const Point p = plane.pieces()[i].bezierPoint(0);
+            const ScreenPoint there = viewport.toScreen(PlanePoint{p[0], p[1]});
+            if (joint < joints.size() && std::hypot(there.x - at.x, there.y - at.y) <= reach) {
+                near = joint;
+            }
+        }
+    });
+    return near;
 }
 
 } // namespace splineloft::ui

@@ -1,7 +1,5 @@
 #include "ui/canvas/pick.h"
 
-#include "core/spline/measure/nearest.h"
-
 #include <cmath>
 
 namespace splineloft::ui {
@@ -28,25 +26,26 @@ double screenDistance(ScreenPoint a, ScreenPoint b) {
 
 /// Calls visit(point, distance in design pixels) for all points and tangents within reach.
 template <class Visit>
-void eachUnder(const Document& document, const View& view, const Viewport& viewport, ScreenPoint at,
-               double scale, Visit visit) {
-    for (std::size_t c = 0; c < document.curves.size(); ++c) {
+void eachUnder(const Document& document, const Studies& studies, const View& view,
+               const Viewport& viewport, ScreenPoint at, double scale, Visit visit) {
+    const PlaneBounds near = around(viewport.toPlane(at), viewport.toPlane(pointReach * scale));
+    for (std::size_t c = 0; c < studies.size(); ++c) {
         if (!document.curves[c].look.isTouchable()) {
             continue;
         }
-        const Curve& curve = *document.curves[c];
         const auto offer = [&](const PointId& id, PlanePoint place) {
             const double away = screenDistance(viewport.toScreen(place), at);
             if (away <= pointReach * scale) {
                 visit(id, away / scale);
             }
         };
-        const CurvePlaces places(curve, view.axes);
-        for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            offer({c, i, Part::point}, places.point(i));
-        }
-        for (std::size_t i = 0; c == view.activeCurve && i < curve.tangents.size(); ++i) {
-            offer({c, i, Part::tangent}, places.tangentTip(i));
+        const PlaneStudy& plane = studies[c].inPlane(view.axes);
+        plane.points().forEachNear(
+            near, [&](std::size_t i, PlanePoint place) { offer({c, i, Part::point}, place); });
+        if (c == view.activeCurve) {
+            plane.tips().forEachNear(near, [&](std::size_t i, PlanePoint place) {
+                offer({c, i, Part::tangent}, place);
+            });
         }
     }
 }
@@ -61,7 +60,7 @@ std::optional<CurveHit> pickCurve(const Document& document, const Studies& studi
         if (!document.curves[i].look.isTouchable()) {
             continue;
         }
-        const auto nearest = nearestTo(studies[i].plane(view.axes), Point{place.x, place.y}, best);
+        const auto nearest = nearestTo(studies[i].inPlane(view.axes), place, best);
         if (nearest) {
             hit = {i, nearest->spot};
             // The active curve is not lost to another that crosses it.
@@ -76,7 +75,7 @@ std::optional<CurveHit> pickCurve(const Document& document, const Studies& studi
 Hit pick(const Document& document, const Studies& studies, const View& view,
          const Viewport& viewport, ScreenPoint at, double scale) {
     Best best;
-    eachUnder(document, view, viewport, at, scale, [&](const PointId& id, double away) {
+    eachUnder(document, studies, view, viewport, at, scale, [&](const PointId& id, double away) {
         best.offer(id, away, view.selection.contains(id), id.curve == view.activeCurve);
     });
     if (best.point) {
@@ -85,27 +84,27 @@ Hit pick(const Document& document, const Studies& studies, const View& view,
     return {std::nullopt, pickCurve(document, studies, view, viewport, at, curveReach * scale)};
 }
 
-std::vector<PointId> pointsUnder(const Document& document, const View& view,
+std::vector<PointId> pointsUnder(const Document& document, const Studies& studies, const View& view,
                                  const Viewport& viewport, ScreenPoint at, double scale) {
     std::vector<PointId> under;
-    eachUnder(document, view, viewport, at, scale,
+    eachUnder(document, studies, view, viewport, at, scale,
               [&](const PointId& id, double) { under.push_back(id); });
     return under;
 }
 
-std::set<PointId> pointsInside(const Document& document, const View& view, const Viewport& viewport,
-                               const ScreenRect& rect) {
+std::set<PointId> pointsInside(const Document& document, const Studies& studies, const View& view,
+                               const Viewport& viewport, const ScreenRect& rect) {
     std::set<PointId> inside;
-    for (std::size_t c = 0; c < document.curves.size(); ++c) {
+    for (std::size_t c = 0; c < studies.size(); ++c) {
         if (!document.curves[c].look.isTouchable()) {
             continue;
         }
-        const auto places = controlPlaces(*document.curves[c], view.axes);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (rect.contains(viewport.toScreen(places[i]))) {
-                inside.insert({c, i, Part::point});
-            }
-        }
+        studies[c].inPlane(view.axes).points().forEachNear(
+            viewport.boxUnder(rect), [&](std::size_t i, PlanePoint place) {
+                if (rect.contains(viewport.toScreen(place))) {
+                    inside.insert(inside.end(), {c, i, Part::point});
+                }
+            });
     }
     return inside;
 }

@@ -32,11 +32,11 @@ Hit pick(const Document& document, const Studies& studies, const View& view,
 
 /// All control points and tangents within reach of `at`, in the order of the document: more than
 /// one where they lie on top of one another.
-std::vector<PointId> pointsUnder(const Document& document, const View& view,
+std::vector<PointId> pointsUnder(const Document& document, const Studies& studies, const View& view,
                                  const Viewport& viewport, ScreenPoint at, double scale);
 
 /// All control points (not tangents) inside a rectangle, of the curves that hands may touch.
-std::set<PointId> pointsInside(const Document& document, const View& view, const Viewport& viewport,
-                               const ScreenRect& rect);
+std::set<PointId> pointsInside(const Document& document, const Studies& studies, const View& view,
+                               const Viewport& viewport, const ScreenRect& rect);
 
 } // namespace splineloft::ui

@@ -60,6 +60,14 @@ struct SceneStroke {
     Ink ink = {};
     bool closed = false;
     bool emphasised = false;
+    double laid = 0; ///< pixels of the stroke that lie before its first point
+};
+
+/// A stroke along more pieces than it would be wise to lay out here.
+struct ScenePieces {
+    PieceStroke stroke; ///< all but its style
+    Ink ink;
+    std::size_t strokesBefore = 0; ///< strokes of the scene that lie beneath it
 };
 
 struct SceneMark {
@@ -91,6 +99,7 @@ struct Scene {
     ScreenRect frame;
     std::vector<SceneArea> areas;
     std::vector<SceneStroke> strokes;
+    std::vector<ScenePieces> pieces;
     std::vector<SceneMark> marks;
     std::vector<SceneLabel> labels;
 };

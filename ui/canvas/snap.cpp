@@ -12,22 +12,28 @@ namespace {
 // How near another point must be to be snapped to, design pixels.
 constexpr double snapReach = 9;
 
+/// The control point nearest to a place, of those that stay where they are.
 std::optional<PlanePoint> nearbyPoint(PlanePoint wanted, const std::vector<PointId>& ids,
                                       const View& view, const Situation& s) {
+    const auto stays = [&](const PointId& id) {
+        return std::ranges::equal(s.settled.curves[id.curve]->points[id.index],
+                                  s.live.curves[id.curve]->points[id.index]) &&
+               std::ranges::find(ids, id) == ids.end();
+    };
     std::optional<PlanePoint> found;
     double best = s.viewport.toPlane(snapReach * s.scale);
-    for (std::size_t c = 0; c < s.settled.curves.size(); ++c) {
+    for (std::size_t c = 0; c < s.studies.size(); ++c) {
         if (!s.settled.curves[c].look.visible) {
             continue;
         }
-        const auto places = controlPlaces(*s.settled.curves[c], view.axes);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const double away = std::hypot(places[i].x - wanted.x, places[i].y - wanted.y);
-            if (away < best && std::ranges::find(ids, PointId{c, i, Part::point}) == ids.end()) {
-                best = away;
-                found = places[i];
-            }
-        }
+        s.studies[c].inPlane(view.axes).points().forEachNear(
+            around(wanted, best), [&](std::size_t i, PlanePoint place) {
+                const double away = std::hypot(place.x - wanted.x, place.y - wanted.y);
+                if (away < best && stays({c, i, Part::point})) {
+                    best = away;
+                    found = place;
+                }
+            });
     }
     return found;
 }

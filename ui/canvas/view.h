@@ -20,12 +20,6 @@ struct Axes {
     bool operator==(const Axes&) const = default;
 };
 
-/// A place in the plane of the canvas: document units, y up.
-struct PlanePoint {
-    double x = 0, y = 0;
-    bool operator==(const PlanePoint&) const = default;
-};
-
 /// What the canvas shows: the middle of it, and how large a unit is.
 struct Camera {
     PlanePoint centre;

@@ -73,6 +73,18 @@ PlanePoint Viewport::toPlane(ScreenPoint p) const {
             camera.centre.y - (p.y - frame.top - frame.height / 2) / camera.pixelsPerUnit};
 }
 
+PlaneBounds Viewport::boxUnder(const ScreenRect& rect) const {
+    PlaneBounds box;
+    box.include(toPlane(ScreenPoint{rect.left - 1, rect.top - 1}));
+    box.include(toPlane(ScreenPoint{rect.right() + 1, rect.bottom() + 1}));
+    return box;
+}
+
+PlaneBounds Viewport::visible(double overhang) const {
+    return boxUnder({frame.left - overhang, frame.top - overhang, frame.width + 2 * overhang,
+                     frame.height + 2 * overhang});
+}
+
 Camera zoomed(const Viewport& viewport, ScreenPoint at, double factor) {
     Viewport next = viewport;
     next.camera.pixelsPerUnit =

@@ -1,7 +1,8 @@
 // The one place where the plane of the canvas and the pixels of the screen meet.
 #pragma once
 
-#include "core/spline/piece.h"
+#include "core/spline/curve.h"
+#include "ui/canvas/box_tree.h"
 #include "ui/canvas/view.h"
 
 #include <optional>
@@ -17,6 +18,10 @@ struct Viewport {
     PlanePoint toPlane(ScreenPoint p) const;
     /// Length on the plane of so many pixels.
     double toPlane(double pixels) const { return pixels / camera.pixelsPerUnit; }
+    /// What lies under a rectangle, and a little more than that rather than less.
+    PlaneBounds boxUnder(const ScreenRect& rect) const;
+    /// What can be seen, with what sticks out by so many pixels into the frame.
+    PlaneBounds visible(double overhang) const;
 };
 
 /// The camera after zooming by `factor` so that what is under `at` stays there.

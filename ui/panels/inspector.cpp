@@ -298,7 +298,7 @@ class Inspector {
             // Joints in a row that are alike share a line.
             const auto words = describe(t.joints[i]);
             std::size_t last = i;
-            while (last + 1 < t.joints.size() && describe(t.joints[last + 1]) == words) {
+            while (last + 1 < t.joints.size() && readAlike(t.joints[i], t.joints[last + 1])) {
                 ++last;
             }
             const auto from = significant(t.joints[i].t, 4);

@@ -42,7 +42,7 @@ Reaction hover(const View& view, const PointerEvent& event, const Situation& s) 
 /// Of the points that lie on top of one another at the pointer, the one after `id`.
 PointId nextUnder(const PointId& id, const View& view, const PointerEvent& event,
                   const Situation& s) {
-    const auto under = pointsUnder(s.live, view, s.viewport, event.at, s.scale);
+    const auto under = pointsUnder(s.live, s.studies, view, s.viewport, event.at, s.scale);
     const auto after = std::ranges::upper_bound(under, id);
     return after != under.end() ? *after : under.empty() ? id : under.front();
 }

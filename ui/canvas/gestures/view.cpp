@@ -17,7 +17,7 @@ Reaction step(const Boxing& box, const View& view, const PointerEvent& event, co
     reaction.view.selection = box.kept;
     if (beyondClick(box.from, event.at, s)) {
         reaction.view.selection.merge(
-            pointsInside(s.live, view, s.viewport, spanned(box.from, event.at)));
+            pointsInside(s.live, s.studies, view, s.viewport, spanned(box.from, event.at)));
     }
     if (letsGo(event)) {
         reaction.gesture = Idle{};
@@ -44,7 +44,7 @@ Reaction step(const SlidingCursor& sliding, const View& view, const PointerEvent
     }
     Reaction reaction = stay(sliding, view);
     const PlanePoint at = s.viewport.toPlane(event.at);
-    const auto nearest = nearestTo(s.studies[view.activeCurve].plane(view.axes), Point{at.x, at.y});
+    const auto nearest = nearestTo(s.studies[view.activeCurve].inPlane(view.axes), at);
     if (nearest) {
         reaction.view.cursor = nearest->spot;
     }
