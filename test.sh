@@ -5,8 +5,9 @@
 # AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer. `quick` leaves the second out.
 # The last line counts both together. With CI=true a check that lacks its tool fails, not skips.
 #
-# `bench` instead measures the library beside its peers, for about two minutes. What it prints is
-# for reading: a goal that is missed on a busy machine is no failed test.
+# `bench` instead measures the library beside its peers, then frames of the window and, where there
+# is a display, its start: about four minutes. What it prints is for reading: a goal that is missed
+# on a busy machine is no failed test.
 set -euo pipefail
 
 # shellcheck source=tools/setup.sh
@@ -49,13 +50,25 @@ run_tests() {
     fi
 }
 
-# Builds the benchmark and runs it; prints its table, and what CMake did not find for it.
+# Builds the benchmarks and runs them; prints their tables, and what CMake did not find for them.
 run_bench() {
+    local folder
+    folder="$(build_folder bench)"
     say "== bench: building"
     configure bench
-    sed -n '/^CMake Warning/,/^$/p' "$(build_folder bench)/configure.log"
+    sed -n '/^CMake Warning/,/^$/p' "$folder/configure.log"
     build bench bench
-    "$(build_folder bench)/tests/bench/bench"
+    build bench window_bench
+    build bench startup_bench
+    "$folder/tests/bench/bench"
+    say ""
+    say "== frames of the window, on curves of 10^3 to 10^6 points; goal: 2000 us, and 1 us a changed piece"
+    "$folder/tests/bench/window_bench"
+    if [[ -n ${DISPLAY:-} ]]; then
+        "$folder/tests/bench/startup_bench"
+    else
+        say "no display: the start of the window was not measured"
+    fi
 }
 
 case "$*" in

@@ -1,0 +1,129 @@
+// startup_bench: how long the editor takes to its first frame, beside a bare program of GLFW and
+// Dear ImGui. Each is started anew, several times in turn; it ends when the frame is on the screen.
+//
+// startup_bench editor [FILE] and startup_bench bare are what it starts.
+#include "app/files.h"
+#include "app/loop.h"
+#include "app/window.h"
+
+// glad comes before GLFW, which would bring in the system's OpenGL header.
+#include <glad/gl.h>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace splineloft::app {
+namespace {
+
+constexpr int rounds = 15;
+
+/// Waits for the frame to be drawn, and ends without tidying up: that is no part of starting.
+[[noreturn]] void endAtFirstFrame() {
+    glFinish();
+    std::_Exit(0);
+}
+
+void runEditorToFirstFrame(const std::vector<std::string>& files) {
+    auto session = beginSession(files);
+    ui::InputQueue queue;
+    Window window({}, queue);
+    int frames = 0;
+    runEditor(window, queue, *session, [&](ui::Session&) {
+        if (++frames == 2) { // the first one has been shown
+            endAtFirstFrame();
+        }
+        return true;
+    });
+}
+
+void runBareToFirstFrame() {
+    glfwInit();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    GLFWwindow* window = glfwCreateWindow(1280, 800, "bare", nullptr, nullptr);
+    glfwMakeContextCurrent(window);
+    gladLoadGL(glfwGetProcAddress);
+    ImGui::CreateContext();
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    ImGui::Begin("bare");
+    ImGui::TextUnformatted("Some words.");
+    ImGui::End();
+    ImGui::Render();
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(window);
+    endAtFirstFrame();
+}
+
+/// Milliseconds from starting this program anew with some arguments to its end.
+double millisecondsOf(std::vector<std::string> arguments) {
+    std::string self = "/proc/self/exe";
+    std::vector<char*> raw{self.data()};
+    for (auto& argument : arguments) {
+        raw.push_back(argument.data());
+    }
+    raw.push_back(nullptr);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto child = fork();
+    if (child == 0) {
+        execv(self.c_str(), raw.data());
+        std::_Exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (status != 0) {
+        std::fprintf(stderr, "startup_bench: %s did not start\n", arguments.front().c_str());
+        std::exit(1);
+    }
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+        .count();
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+void measure() {
+    std::vector<double> editor, bare;
+    for (int round = 0; round < rounds; ++round) {
+        bare.push_back(millisecondsOf({"bare"}));
+        editor.push_back(millisecondsOf({"editor"}));
+    }
+    std::printf("to the first frame, median of %d: bare %.0f ms, editor %.0f ms, ratio %.2f "
+                "(goal: 1.15)\n",
+                rounds, median(bare), median(editor), median(editor) / median(bare));
+}
+
+} // namespace
+} // namespace splineloft::app
+
+int main(int count, char** arguments) {
+    const std::vector<std::string> given(arguments + 1, arguments + count);
+    if (given.empty()) {
+        splineloft::app::measure();
+    } else if (given.front() == "bare") {
+        splineloft::app::runBareToFirstFrame();
+    } else {
+        splineloft::app::runEditorToFirstFrame({given.begin() + 1, given.end()});
+    }
+}
