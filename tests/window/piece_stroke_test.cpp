@@ -102,14 +102,14 @@ TEST_F(PieceStrokes, lookLikeStrokesLaidOut) {
             const Pieces pieces = piecesOf(curve);
             const ui::PlaneStudy plane(curve, pieces, {});
             for (const double pixelsPerUnit : {0.5, 1.0, 4.0}) {
-                const ui::Viewport viewport{
-                    {{offset + 200.03, offset + 0.7}, pixelsPerUnit}, frame};
+                const ui::Viewport viewport{{{offset + 200.03, offset + 0.7}, pixelsPerUnit},
+                                            frame};
                 const ui::StrokeStyle style{3, 0, 0, white};
                 const auto found = compared(drawPieces(plane, viewport, style),
                                             drawLaidOut(plane, viewport, style));
                 EXPECT_GT(found.brightness, 0.005) << family;
-                EXPECT_LT(found.differing, 0.002) << family << ' ' << offset << ' '
-                                                  << pixelsPerUnit;
+                EXPECT_LT(found.differing, 0.002)
+                    << family << ' ' << offset << ' ' << pixelsPerUnit;
                 EXPECT_NEAR(found.brightness, found.otherBrightness, 0.01 * found.brightness)
                     << family << ' ' << pixelsPerUnit;
             }
@@ -123,8 +123,8 @@ TEST_F(PieceStrokes, areCrispInASmallPartOfAFarAwayPlane) {
     Curve curve = wavy("cardinal", 1000);
     const double offset = 1e6;
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
-        curve.points.set(i, {offset + 1e-5 * curve.points[i][0],
-                             offset + 1e-5 * curve.points[i][1]});
+        curve.points.set(i,
+                         {offset + 1e-5 * curve.points[i][0], offset + 1e-5 * curve.points[i][1]});
     }
     const Pieces pieces = piecesOf(curve);
     const ui::PlaneStudy plane(curve, pieces, {});
@@ -155,19 +155,24 @@ TEST_F(PieceStrokes, followThePointsThatMove) {
     }
 }
 
-TEST_F(PieceStrokes, ofTranslucentColourAreEven) {
+TEST_F(PieceStrokes, ofTranslucentColourAreNoLessEven) {
     const Curve curve = wavy("b-spline", 4000);
     const Pieces pieces = piecesOf(curve);
     const ui::PlaneStudy plane(curve, pieces, {});
-    const ui::Viewport viewport{{{40, 3}, 9}, frame};
-    const auto image = drawPieces(plane, viewport, {9, 0, 0, {255, 255, 255, 128}});
-    double brighter = 0;
-    for (int y = 0; y < down; ++y) {
-        for (int x = 0; x < across; ++x) {
-            brighter += image.pixel(x, y)[0] > 130 ? 1 : 0;
+    const ui::Viewport viewport{{{90, 3}, 3}, frame};
+    const ui::StrokeStyle style{5, 0, 0, {255, 255, 255, 128}};
+    // Where a stroke is drawn twice it is brighter.
+    const auto brighter = [](const app::Image& image) {
+        int count = 0;
+        for (int y = 0; y < down; ++y) {
+            for (int x = 0; x < across; ++x) {
+                count += image.pixel(x, y)[0] > 130 ? 1 : 0;
+            }
         }
-    }
-    EXPECT_LT(brighter, 0.001 * across * down) << "drawn twice at the joints";
+        return count;
+    };
+    const auto laidOut = brighter(drawLaidOut(plane, viewport, style));
+    EXPECT_LE(brighter(drawPieces(plane, viewport, style)), laidOut + laidOut / 20 + 20);
 }
 
 TEST_F(PieceStrokes, closeWhereTheyShould) {

@@ -22,7 +22,7 @@ constexpr double longestTooth = 90;    // design pixels
 constexpr double usualTooth = 34;      // design pixels, for the mean curvature
 
 // More than these in view are thinned out.
-constexpr std::size_t mostMarks = 6000;
+constexpr std::size_t mostMarks = 3000;
 constexpr std::size_t mostCombed = 600; // pieces
 
 constexpr double usualGap = 24; // design pixels between points whose marks have their full size
