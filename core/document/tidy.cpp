@@ -36,8 +36,7 @@ double tidied(double value) {
     if (!(size > leastOrdinary && size < mostOrdinary)) {
         return throughDecimals(value);
     }
-    const auto power =
-        powers[static_cast<std::size_t>(digits - 1 - std::floor(std::log10(size)))];
+    const auto power = powers[static_cast<std::size_t>(digits - 1 - std::floor(std::log10(size)))];
     const double shifted = value * power;
     const double whole = std::round(shifted);
     const bool isDoubtful = std::abs(std::abs(shifted - whole) - 0.5) < doubt;

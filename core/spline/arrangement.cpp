@@ -214,8 +214,8 @@ void addKnots(Arrangement& arrangement, const Spline& spline, const PointsView& 
         arrangement.chords = chordsOf(arrangement.places, points, parameterOf(spline, "alpha"));
         arrangement.intervals =
             chordIntervals(arrangement.chords, spline.closed, arrangement.before);
-        arrangement.knots = accumulate(arrangement.intervals,
-                                       static_cast<std::size_t>(arrangement.layout.lead));
+        arrangement.knots =
+            accumulate(arrangement.intervals, static_cast<std::size_t>(arrangement.layout.lead));
         return;
     case Spacing::knotVector:
         arrangement.knots = knotVectorOf(spline, points, arrangement, parameterOf(spline, "alpha"));
@@ -328,8 +328,8 @@ std::vector<Range> respace(Arrangement& arrangement, const Spline& spline, const
             arrangement.chords[i] = chordAfter(arrangement.places, i, points, alpha);
         }
     }
-    auto changed = setIntervals(arrangement.intervals, arrangement.chords, spline.closed,
-                                arrangement.before);
+    auto changed =
+        setIntervals(arrangement.intervals, arrangement.chords, spline.closed, arrangement.before);
     if (!changed.empty()) {
         const auto origin = static_cast<std::size_t>(arrangement.layout.lead);
         accumulate(arrangement.knots, arrangement.intervals, origin, changed.front().first);

@@ -54,7 +54,7 @@ std::vector<Shortcut> shortcutsOf(const Session& session, const char* id) {
 
 TEST(Keymap, replacesWhatItNames) {
     Driver driver(documentOf({curveOf("cardinal")}));
-    const auto found = keymapFrom(R"({"view.comb": ["F5", "Ctrl+K"], "view.joints": []})");
+    const auto found = keymapFrom(R"({"view.comb": ["F5", "Ctrl+U"], "view.joints": []})");
     EXPECT_TRUE(found.problems.empty()) << found.problems.front();
     driver.session.keymap = found.keymap;
     const bool before = driver.session.view.layers.comb;
@@ -62,7 +62,7 @@ TEST(Keymap, replacesWhatItNames) {
     EXPECT_EQ(driver.session.view.layers.comb, before) << "its own shortcut is gone";
     driver.key(static_cast<Key>(294));
     EXPECT_NE(driver.session.view.layers.comb, before);
-    driver.key(Key::k, withControl);
+    driver.key(Key::u, withControl);
     EXPECT_EQ(driver.session.view.layers.comb, before);
     driver.key(Key::j);
     EXPECT_FALSE(driver.session.view.layers.joints) << "it has no shortcut any more";

@@ -14,6 +14,7 @@ constexpr double flatness = 0.1;     // pixels between a curve and the segments 
 constexpr double smallest = 0.7;     // pixels: several pieces no larger than this are one segment
 constexpr std::size_t finest = 64;   // segments for one piece
 constexpr std::size_t coarsest = 64; // pieces for one segment
+constexpr std::size_t mostSegments = 200'000; // of one stroke
 
 /// How finely the pieces of a block must be drawn, on the screen.
 PieceRun runOf(const Range& block, const Detail& detail, int degree, double pixelsPerUnit) {
@@ -33,6 +34,35 @@ PieceRun runOf(const Range& block, const Detail& detail, int degree, double pixe
     return run;
 }
 
+std::size_t segmentsOf(const std::vector<PieceRun>& runs) {
+    std::size_t count = 0;
+    for (const auto& run : runs) {
+        count += (run.last - run.first) * run.segments / run.step;
+    }
+    return count;
+}
+
+/// Draws all runs more coarsely until a card has done with them within a frame: where so many
+/// pieces are in view, they fill it.
+void coarsen(std::vector<PieceRun>& runs) {
+    while (segmentsOf(runs) > mostSegments) {
+        bool coarser = false;
+        for (auto& run : runs) {
+            if (run.segments > 1) {
+                run.segments /= 2;
+            } else if (run.step < coarsest) {
+                run.step *= 2;
+            } else {
+                continue;
+            }
+            coarser = true;
+        }
+        if (!coarser) {
+            return;
+        }
+    }
+}
+
 /// Runs for the blocks of some ranges, as few as possible.
 template <class RunOf>
 std::vector<PieceRun> runsOf(std::span<const Range> ranges, const BoxTree& boxes, RunOf runFor) {
@@ -49,6 +79,7 @@ std::vector<PieceRun> runsOf(std::span<const Range> ranges, const BoxTree& boxes
             }
         }
     }
+    coarsen(runs);
     return runs;
 }
 

@@ -35,7 +35,7 @@ void selectAll(Session& session) {
 }
 
 bool hasPoints(const Session& session) {
-    return hasCurve(session) && !session.active()->curve().points.empty();
+    return canEditCurve(session) && !session.active()->curve().points.empty();
 }
 
 /// Selects the control point that comes so many after the one selected, around the active curve.
@@ -169,6 +169,7 @@ void addEditCommands(std::vector<Command>& all) {
                        return handsOff(s) && s.view.tool == Tool::select &&
                               s.view.selection.size() == 1;
                    }});
+    all.back().contexts = {Context::point};
     all.push_back({"edit.escape",
                    "Edit",
                    called("Cancel, or clear the selection"),

@@ -20,6 +20,17 @@ namespace {
 // A copy lies so far to the right of and below what it was made from, design pixels.
 constexpr double copyOffset = 24;
 
+// Without an interface there is no clipboard: the commands still run, on an empty one.
+std::string clipboardText() {
+    const char* text = ImGui::GetCurrentContext() != nullptr ? ImGui::GetClipboardText() : nullptr;
+    return text != nullptr ? text : "";
+}
+void setClipboardText(const std::string& text) {
+    if (ImGui::GetCurrentContext() != nullptr) {
+        ImGui::SetClipboardText(text.c_str());
+    }
+}
+
 bool selectionHasHandles(const Session& session) {
     return hasSelection(session) &&
            std::ranges::any_of(session.view.selection, [&](const PointId& id) {
@@ -98,7 +109,7 @@ void copy(Session& session) {
     const std::array active = {session.view.activeCurve};
     const auto text = ids.empty() ? copiedCurves(session.document(), active)
                                   : copiedPoints(session.document(), ids);
-    ImGui::SetClipboardText(text.c_str());
+    setClipboardText(text);
     session.say("Copied " + (ids.empty() ? "“" + session.active()->curve().name + "”"
                                          : nameOf(session.document(), ids)));
 }
@@ -113,8 +124,8 @@ void cut(Session& session) {
 }
 
 void paste(Session& session) {
-    const char* text = ImGui::GetClipboardText();
-    if (text == nullptr || *text == '\0') {
+    const auto text = clipboardText();
+    if (text.empty()) {
         return session.complain("The clipboard is empty.");
     }
     const auto found = pasted(text);
@@ -198,27 +209,32 @@ void addHandleCommands(std::vector<Command>& all) {
                        [mode](const Session& s) {
                            return selectionHasHandles(s) && presentMode(s) == mode;
                        }});
+        all.back().contexts = {Context::point};
     }
 }
 
 } // namespace
 
 void addClipboardCommands(std::vector<Command>& all) {
-    all.push_back({"edit.cut", "Edit", called("Cut"), {{Key::x, controlKey}}, cut, hasCurve});
+    all.push_back({"edit.cut", "Edit", called("Cut"), {{Key::x, controlKey}}, cut, canEditCurve});
     all.back().startsGroup = true;
+    all.back().contexts = {Context::point, Context::curve};
     all.push_back({"edit.copy", "Edit", called("Copy"), {{Key::c, controlKey}}, copy, hasCurve});
+    all.back().contexts = {Context::point, Context::curve};
     all.push_back({"edit.paste",
                    "Edit",
                    called("Paste points, curves or an SVG path"),
                    {{Key::v, controlKey}},
                    paste,
                    handsOff});
+    all.back().contexts = {Context::canvas};
     all.push_back({"edit.duplicate",
                    "Edit",
                    called("Duplicate the curve"),
                    {{Key::d, controlKey}},
                    duplicate,
                    hasCurve});
+    all.back().contexts = {Context::curve};
 }
 
 void addPointCommands(std::vector<Command>& all) {
@@ -228,6 +244,7 @@ void addPointCommands(std::vector<Command>& all) {
                    {{Key::del, controlKey}, {Key::backspace, controlKey}},
                    deleteHealing,
                    hasSelection});
+    all.back().contexts = {Context::point};
     addHandleCommands(all);
     all.push_back({"curve.join",
                    "Points",
@@ -235,13 +252,15 @@ void addPointCommands(std::vector<Command>& all) {
                    {{Key::j, controlKey}},
                    join,
                    twoEnds});
+    all.back().contexts = {Context::point};
     all.back().startsGroup = true;
     all.push_back({"curve.split",
                    "Points",
                    called("Split the curve at the point, or at u"),
                    {{Key::k, controlKey}},
                    split,
-                   hasPieces});
+                   [](const Session& s) { return hasPieces(s) && canEditCurve(s); }});
+    all.back().contexts = {Context::point, Context::curve};
     all.push_back({"curve.openAt",
                    "Points",
                    called("Open the closed curve at the point"),
@@ -254,6 +273,7 @@ void addPointCommands(std::vector<Command>& all) {
                        return hasSelection(s) && s.view.selection.size() == 1 &&
                               s.document().curves[s.view.selection.begin()->curve]->closed;
                    }});
+    all.back().contexts = {Context::point};
     all.push_back({"curve.reverse",
                    "Points",
                    called("Reverse the curve"),
@@ -263,7 +283,8 @@ void addPointCommands(std::vector<Command>& all) {
                        s.apply({reverseCurve(s.history.settled(), s.view.activeCurve),
                                 Phase::commit, "Reverse the curve"});
                    },
-                   hasCurve});
+                   canEditCurve});
+    all.back().contexts = {Context::curve};
 }
 
 } // namespace splineloft::ui

@@ -16,7 +16,7 @@ constexpr double columnWidth = 380;
 constexpr double keysWidth = 128; // of the keys within a column
 constexpr double columnGap = 24;
 constexpr double rowGap = 4;
-constexpr double around = 90; // left free around the list
+constexpr double leftFree = 90; // around the list
 constexpr int mostColumns = 4;
 
 /// What is pressed or done, and what comes of it.
@@ -33,13 +33,15 @@ Group mouseGroup() {
     return {"Mouse",
             {{"Click", "select a point"},
              {"Shift+click", "add it to the selection or take it away"},
-             {"Drag a point", "move the selection: Shift keeps the axis, Ctrl snaps"},
+             {"Alt+click", "select the point beneath it"},
+             {"Drag a point", "move the selection: Shift keeps the axis or 45°, Ctrl snaps"},
              {"Drag on nothing", "select the points in a box"},
              {"Drag the curve", "slide u"},
-             {"Double-click", "on the curve: insert a point there (also Ctrl+click)"},
+             {"Double-click", "on a point: type in its numbers; on the curve: insert a point there "
+                              "(also Ctrl+click)"},
              {"Right click", "what can be done there; in mid-drag: restore"},
              {"Wheel", "zoom at the pointer"},
-             {"Middle-drag", "move the view"},
+             {"Middle-drag", "move the view (also with Space held down)"},
              {"Double-click", "on a slider or an edge of a panel: its usual value"}}};
 }
 
@@ -176,7 +178,7 @@ class KeyPage {
 } // namespace
 
 bool drawKeyList(const Session& session, const Stage& window) {
-    const double room = window.rect.width / window.scale - around;
+    const double room = window.rect.width / window.scale - leftFree;
     const int columns = std::clamp(static_cast<int>((room + columnGap) / (columnWidth + columnGap)),
                                    1, mostColumns);
     const KeyPage list(allGroups(session), window);
