@@ -109,10 +109,12 @@ bool Keeper::afterFrame(ui::Session& session, const ui::Screen& screen) {
         session.habits.windowWidth = screen.width / screen.scale;
         session.habits.windowHeight = screen.height / screen.scale;
     }
+    const bool asked = !session.requests.empty();
     if (!carryOutRequests(session)) {
         return false;
     }
-    news_ = attend(session);
+    news_ = false; // this frame has shown what there was before
+    news_ = attend(session) || asked;
     return true;
 }
 

@@ -147,6 +147,7 @@ TEST(Keeper, withoutAnyFolderSaysSoOnceAndGoesOn) {
         session.requests.push_back(request);
     }
     EXPECT_TRUE(keeper.afterFrame(session, {}));
+    EXPECT_TRUE(keeper.attend(session)) << "a frame has yet to show what was said";
     EXPECT_EQ(keeper.patience(), never);
 }
 

@@ -122,6 +122,8 @@ TEST_F(SystemDialogs, openWhatWasChosenInTheSession) {
         ::usleep(1000);
     }
     EXPECT_EQ(session.document(), documentWith(4));
+    EXPECT_EQ(keeper.patience(), 0) << "a frame has yet to show it";
+    EXPECT_TRUE(keeper.attend(session));
     EXPECT_EQ(keeper.patience(), never);
 }
 
