@@ -261,4 +261,10 @@ void Studies::follow(const Document& document) {
     studies_ = std::move(next);
 }
 
+PlanePoint placeOf(const Studies& studies, const Axes& axes, const PointId& id) {
+    const PlaneStudy& plane = studies[id.curve].inPlane(axes);
+    const auto places = (id.part == Part::tangent ? plane.tips() : plane.points()).places();
+    return id.index < places.size() ? places[id.index] : PlanePoint{};
+}
+
 } // namespace splineloft::ui

@@ -83,4 +83,8 @@ class Studies {
     std::vector<std::unique_ptr<Study>> studies_;
 };
 
+/// Where a control point or the tip of its tangent lies in the plane of the canvas; the origin
+/// where there is none of that number.
+PlanePoint placeOf(const Studies& studies, const Axes& axes, const PointId& id);
+
 } // namespace splineloft::ui

@@ -1,8 +1,10 @@
 #include "ui/canvas/illustrate.h"
 
 #include "core/document/edits.h"
+#include "ui/canvas/comb.h"
 #include "ui/canvas/grid.h"
 #include "ui/canvas/line_work.h"
+#include "ui/canvas/tool_marks.h"
 #include "ui/canvas/wording.h"
 
 #include <algorithm>
@@ -17,13 +19,9 @@ namespace {
 constexpr std::size_t mostNames = 60;
 // A ladder of more levels is told by its lines; names for all its points would hide it.
 constexpr int mostNamedLevels = 8;
-constexpr std::size_t combTeeth = 150; // on the whole curve, about
-constexpr double longestTooth = 90;    // design pixels
-constexpr double usualTooth = 34;      // design pixels, for the mean curvature
 
 // More than these in view are thinned out.
 constexpr std::size_t mostMarks = 3000;
-constexpr std::size_t mostCombed = 600; // pieces
 
 constexpr double usualGap = 24; // design pixels between points whose marks have their full size
 constexpr double leastGap = 4;  // design pixels between marks that can be told apart
@@ -79,7 +77,7 @@ class Illustration {
             curve(study, {Role::curveHalo});
         }
         if (view_.layers.comb) {
-            comb(study);
+            drawComb(scene_, study, view_.axes, viewport_, scale_);
         }
         if (view_.layers.polygon && !study.family().hasHandles) { // handles tell the same
             drawPolygon(scene_, study.inPlane(view_.axes), study.curve().closed, {Role::polygon},
@@ -167,13 +165,13 @@ class Illustration {
         Spacing spacing(view_.selection.size() > mostNames ? leastGap * scale_ : 0);
         for (const auto& id : view_.selection) {
             if (id.curve < s_.live.curves.size() &&
-                spacing.leavesRoomFor(viewport_.toScreen(placeOf(id)))) {
-                mark(placeOf(id), SignShape::ring, {Role::selected});
+                spacing.leavesRoomFor(viewport_.toScreen(placeOf(s_.studies, view_.axes, id)))) {
+                mark(placeOf(s_.studies, view_.axes, id), SignShape::ring, {Role::selected});
             }
         }
         if (view_.hovered && !view_.selection.contains(*view_.hovered) &&
             view_.hovered->curve < s_.live.curves.size()) {
-            mark(placeOf(*view_.hovered), SignShape::ring, {Role::hovered});
+            mark(placeOf(s_.studies, view_.axes, *view_.hovered), SignShape::ring, {Role::hovered});
         }
         if (view_.ghost && view_.activeCurve < s_.studies.size()) {
             const auto& plane = s_.studies[view_.activeCurve].plane(view_.axes);
@@ -182,93 +180,6 @@ class Illustration {
                 mark({p[0], p[1]}, SignShape::disc, {Role::ghost});
             }
         }
-    }
-
-    void gesture(const Gesture& gesture) {
-        if (const auto* box = std::get_if<Boxing>(&gesture)) {
-            const auto r = spanned(box->from, box->now);
-            scene_.strokes.push_back({{{r.left, r.top},
-                                       {r.right(), r.top},
-                                       {r.right(), r.bottom()},
-                                       {r.left, r.bottom()}},
-                                      {Role::box},
-                                      true});
-        }
-        if (const auto* drag = std::get_if<DraggingPoints>(&gesture)) {
-            course(*drag);
-            if (drag->snappedTo) {
-                mark(*drag->snappedTo, SignShape::diamond, {Role::snap});
-            }
-        } else if (const auto* pulling = std::get_if<Transforming>(&gesture);
-                   pulling != nullptr && pulling->moved) {
-            note(pulling->words, pulling->now);
-        }
-    }
-
-    /// The frame around several selected points, while no hand is at work elsewhere.
-    void gizmo(const Gesture& gesture) {
-        const auto* pulling = std::get_if<Transforming>(&gesture);
-        if (pulling == nullptr && !std::holds_alternative<Idle>(gesture)) {
-            return;
-        }
-        const auto gizmo = gizmoOf(s_.live, view_, viewport_, scale_);
-        if (!gizmo) {
-            return;
-        }
-        const auto& f = gizmo->frame;
-        stroke({gizmo->ring, gizmo->placeOf({0, 1})}, {Role::gizmo});
-        scene_.strokes.push_back(
-            {{{f.left, f.top}, {f.right(), f.top}, {f.right(), f.bottom()}, {f.left, f.bottom()}},
-             {Role::gizmo},
-             true});
-        for (const auto& grip : gizmo->grips()) {
-            const bool held =
-                pulling != nullptr ? pulling->grip == grip : view_.hoveredGrip == grip;
-            scene_.marks.push_back({gizmo->placeOf(grip),
-                                    grip.turns() ? SignShape::disc : SignShape::square,
-                                    {held ? Role::gripHeld : Role::grip}});
-        }
-    }
-
-    void stems(const Gesture& gesture) {
-        if (!std::holds_alternative<Idle>(gesture) &&
-            !std::holds_alternative<SlidingStem>(gesture)) {
-            return;
-        }
-        for (const auto& stem : stemsOf(s_.live, view_, viewport_, scale_)) {
-            stroke({stem.from, stem.to}, {Role::stem});
-            stroke({stem.from, stem.knob}, {Role::stemFilled});
-            scene_.marks.push_back({stem.knob, SignShape::disc, {Role::gripHeld}});
-            scene_.labels.push_back({.text = stem.words(),
-                                     .at = stem.knob,
-                                     .clearance = 12 * scale_,
-                                     .ink = {Role::jointNote},
-                                     .optional = false,
-                                     .noted = true});
-        }
-    }
-
-    /// The line that a drag keeps to.
-    void course(const DraggingPoints& drag) {
-        if (drag.course == Course::free) {
-            return;
-        }
-        const ScreenPoint at = viewport_.toScreen(placeOf(drag.grabbed));
-        const double far = viewport_.frame.width + viewport_.frame.height;
-        const double dx = drag.course == Course::up ? 0 : far;
-        const double dy = drag.course == Course::across    ? 0
-                          : drag.course == Course::falling ? far
-                                                           : -far;
-        stroke({{at.x - dx, at.y - dy}, {at.x + dx, at.y + dy}}, {Role::course});
-    }
-
-    void note(const std::string& words, ScreenPoint at) {
-        scene_.labels.push_back({.text = words,
-                                 .at = at,
-                                 .clearance = 20 * scale_,
-                                 .ink = {Role::jointNote},
-                                 .optional = false,
-                                 .noted = true});
     }
 
     void grid() {
@@ -302,27 +213,11 @@ class Illustration {
         return std::clamp(apart / usualGap, 0.3, 1.0);
     }
 
-    /// Which members of a sequence to show: all of a short one; of a long one those in view, and of
-    /// very many only every `step`th.
-    struct Sampling {
-        std::vector<Range> ranges;
-        std::size_t step = 1;
-    };
-    Sampling samplingOf(const BoxTree& boxes, std::size_t most) const {
-        if (boxes.count() <= most) {
-            return {{{0, boxes.count()}}};
-        }
-        auto ranges = rangesInView(boxes, viewport_);
-        const auto inView = membersOf(ranges);
-        return {std::move(ranges),
-                std::bit_ceil(std::max<std::size_t>((inView + most - 1) / most, 1))};
-    }
-
     /// Calls `use(index, place)` for the points that get a mark: small ones only where they can be
     /// told apart, and of very many in view every second, fourth ...
     template <class Use> void forEachMark(const PlacedPoints& points, double size, Use use) const {
         const auto places = points.places();
-        const auto [ranges, step] = samplingOf(points.boxes(), mostMarks);
+        const auto [ranges, step] = samplingOf(points.boxes(), mostMarks, viewport_);
         Spacing spacing(size < 1 || step > 1 ? leastGap * scale_ : 0);
         for (const auto& range : ranges) {
             for (auto i = (range.first + step - 1) / step * step; i < range.last; i += step) {
@@ -368,12 +263,6 @@ class Illustration {
                                     : SignShape::diamond;
     }
 
-    PlanePoint placeOf(const PointId& id) const {
-        const PlaneStudy& plane = s_.studies[id.curve].inPlane(view_.axes);
-        const auto places = (id.part == Part::tangent ? plane.tips() : plane.points()).places();
-        return id.index < places.size() ? places[id.index] : PlanePoint{};
-    }
-
     void rungName(int r, std::size_t i, ScreenPoint at) {
         if (view_.layers.labels) {
             scene_.labels.push_back({"P_" + std::to_string(r) + "," + std::to_string(i),
@@ -393,41 +282,6 @@ class Illustration {
             scene_.marks.push_back(
                 {to, SignShape::square, {Role::handle, static_cast<int>(i)}, angle});
         });
-    }
-
-    /// Teeth square to the curve, as long as the curvature; the mean has the usual length.
-    void comb(const Study& study) {
-        const auto& plane = study.plane(view_.axes);
-        const int perPiece = static_cast<int>(
-            std::clamp<std::size_t>(combTeeth / std::max<std::size_t>(plane.size(), 1), 6, 40));
-        const auto [ranges, step] = samplingOf(study.inPlane(view_.axes).boxes(), mostCombed);
-        std::vector<Jet> jets;
-        double sum = 0;
-        for (const auto& range : ranges) {
-            for (auto i = range.first; i < range.last; i += step) {
-                for (int k = 0; k <= perPiece; ++k) {
-                    jets.push_back(plane.jet({i, static_cast<double>(k) / perPiece}));
-                    sum += std::abs(jets.back().curvature.value_or(0));
-                }
-            }
-        }
-        const double mean = jets.empty() ? 0 : sum / static_cast<double>(jets.size());
-        std::vector<ScreenPoint> edge;
-        for (const auto& jet : jets) {
-            const ScreenPoint foot = viewport_.toScreen({jet.position[0], jet.position[1]});
-            const double speed = norm(jet.first);
-            if (!(mean > 0) || !(speed > 0)) {
-                edge.push_back(foot);
-                continue;
-            }
-            const double tooth = scale_ * std::clamp(usualTooth * *jet.curvature / mean,
-                                                     -longestTooth, longestTooth);
-            // To the outside of the bend; the screen's y points down.
-            edge.push_back(
-                {foot.x + tooth * jet.first[1] / speed, foot.y + tooth * jet.first[0] / speed});
-            stroke({foot, edge.back()}, {Role::comb});
-        }
-        stroke(std::move(edge), {Role::combEdge});
     }
 
     const View& view_;
@@ -457,10 +311,9 @@ Scene illustrate(const View& view, const Gesture& gesture, const Situation& situ
         drawing.controls(study);
     }
     drawing.selection();
-    drawing.gizmo(gesture);
-    drawing.stems(gesture);
-    drawing.gesture(gesture);
-    return drawing.take();
+    Scene scene = drawing.take();
+    drawToolMarks(scene, view, gesture, situation);
+    return scene;
 }
 
 std::optional<std::size_t> jointNear(const Study& study, const View& view, const Viewport& viewport,

@@ -165,6 +165,15 @@ std::vector<Range> rangesInView(const BoxTree& boxes, const Viewport& viewport) 
     return ranges;
 }
 
+Sampling samplingOf(const BoxTree& boxes, std::size_t most, const Viewport& viewport) {
+    if (boxes.count() <= most) {
+        return {{{0, boxes.count()}}};
+    }
+    auto ranges = rangesInView(boxes, viewport);
+    const auto inView = membersOf(ranges);
+    return {std::move(ranges), std::bit_ceil(std::max<std::size_t>((inView + most - 1) / most, 1))};
+}
+
 void drawCurve(Scene& scene, const PlaneStudy& plane, bool closed, Ink ink,
                const Viewport& viewport) {
     const auto& pieces = plane.pieces();

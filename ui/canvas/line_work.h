@@ -28,4 +28,12 @@ std::size_t membersOf(std::span<const Range> ranges);
 /// The neighbouring blocks of a tree that can be seen, as ranges of its members.
 std::vector<Range> rangesInView(const BoxTree& boxes, const Viewport& viewport);
 
+/// Which members of a sequence to show: all of a short one; of a long one those in view, and of
+/// very many only every `step`th.
+struct Sampling {
+    std::vector<Range> ranges;
+    std::size_t step = 1;
+};
+Sampling samplingOf(const BoxTree& boxes, std::size_t most, const Viewport& viewport);
+
 } // namespace splineloft::ui

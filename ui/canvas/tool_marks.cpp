@@ -1,0 +1,123 @@
+#include "ui/canvas/tool_marks.h"
+
+namespace splineloft::ui {
+namespace {
+
+/// What the tools show, being drawn.
+class ToolMarks {
+  public:
+    ToolMarks(Scene& scene, const View& view, const Situation& situation)
+        : scene_(scene), view_(view), s_(situation), viewport_(situation.viewport),
+          scale_(situation.scale) {}
+
+    void gesture(const Gesture& gesture) {
+        if (const auto* box = std::get_if<Boxing>(&gesture)) {
+            const auto r = spanned(box->from, box->now);
+            scene_.strokes.push_back({{{r.left, r.top},
+                                       {r.right(), r.top},
+                                       {r.right(), r.bottom()},
+                                       {r.left, r.bottom()}},
+                                      {Role::box},
+                                      true});
+        }
+        if (const auto* drag = std::get_if<DraggingPoints>(&gesture)) {
+            course(*drag);
+            if (drag->snappedTo) {
+                scene_.marks.push_back(
+                    {viewport_.toScreen(*drag->snappedTo), SignShape::diamond, {Role::snap}});
+            }
+        } else if (const auto* pulling = std::get_if<Transforming>(&gesture);
+                   pulling != nullptr && pulling->moved) {
+            note(pulling->words, pulling->now);
+        }
+    }
+
+    /// The frame around several selected points, while no hand is at work elsewhere.
+    void gizmo(const Gesture& gesture) {
+        const auto* pulling = std::get_if<Transforming>(&gesture);
+        if (pulling == nullptr && !std::holds_alternative<Idle>(gesture)) {
+            return;
+        }
+        const auto gizmo = gizmoOf(s_.live, view_, viewport_, scale_);
+        if (!gizmo) {
+            return;
+        }
+        const auto& f = gizmo->frame;
+        stroke({gizmo->ring, gizmo->placeOf({0, 1})}, {Role::gizmo});
+        scene_.strokes.push_back(
+            {{{f.left, f.top}, {f.right(), f.top}, {f.right(), f.bottom()}, {f.left, f.bottom()}},
+             {Role::gizmo},
+             true});
+        for (const auto& grip : gizmo->grips()) {
+            const bool held =
+                pulling != nullptr ? pulling->grip == grip : view_.hoveredGrip == grip;
+            scene_.marks.push_back({gizmo->placeOf(grip),
+                                    grip.turns() ? SignShape::disc : SignShape::square,
+                                    {held ? Role::gripHeld : Role::grip}});
+        }
+    }
+
+    void stems(const Gesture& gesture) {
+        if (!std::holds_alternative<Idle>(gesture) &&
+            !std::holds_alternative<SlidingStem>(gesture)) {
+            return;
+        }
+        for (const auto& stem : stemsOf(s_.live, view_, viewport_, scale_)) {
+            stroke({stem.from, stem.to}, {Role::stem});
+            stroke({stem.from, stem.knob}, {Role::stemFilled});
+            scene_.marks.push_back({stem.knob, SignShape::disc, {Role::gripHeld}});
+            scene_.labels.push_back({.text = stem.words(),
+                                     .at = stem.knob,
+                                     .clearance = 12 * scale_,
+                                     .ink = {Role::jointNote},
+                                     .optional = false,
+                                     .noted = true});
+        }
+    }
+
+  private:
+    /// The line that a drag keeps to.
+    void course(const DraggingPoints& drag) {
+        if (drag.course == Course::free) {
+            return;
+        }
+        const ScreenPoint at = viewport_.toScreen(placeOf(s_.studies, view_.axes, drag.grabbed));
+        const double far = viewport_.frame.width + viewport_.frame.height;
+        const double dx = drag.course == Course::up ? 0 : far;
+        const double dy = drag.course == Course::across    ? 0
+                          : drag.course == Course::falling ? far
+                                                           : -far;
+        stroke({{at.x - dx, at.y - dy}, {at.x + dx, at.y + dy}}, {Role::course});
+    }
+
+    void note(const std::string& words, ScreenPoint at) {
+        scene_.labels.push_back({.text = words,
+                                 .at = at,
+                                 .clearance = 20 * scale_,
+                                 .ink = {Role::jointNote},
+                                 .optional = false,
+                                 .noted = true});
+    }
+
+    void stroke(std::vector<ScreenPoint> points, Ink ink) {
+        scene_.strokes.push_back({std::move(points), ink});
+    }
+
+    Scene& scene_;
+    const View& view_;
+    const Situation& s_;
+    const Viewport& viewport_;
+    double scale_;
+};
+
+} // namespace
+
+void drawToolMarks(Scene& scene, const View& view, const Gesture& gesture,
+                   const Situation& situation) {
+    ToolMarks marks(scene, view, situation);
+    marks.gizmo(gesture);
+    marks.stems(gesture);
+    marks.gesture(gesture);
+}
+
+} // namespace splineloft::ui
