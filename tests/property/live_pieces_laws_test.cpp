@@ -5,7 +5,9 @@
 #include "core/spline/problem.h"
 #include "tests/property/random_curves.h"
 
-#include <cstring>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace splineloft {
 namespace {
@@ -13,7 +15,8 @@ namespace {
 using namespace testing_curves;
 
 bool sameBits(std::span<const double> a, std::span<const double> b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+    return std::ranges::equal(a, b, {}, std::bit_cast<std::uint64_t, double>,
+                              std::bit_cast<std::uint64_t, double>);
 }
 
 testing::AssertionResult same(const Pieces& followed, const Pieces& fresh) {
