@@ -148,9 +148,9 @@ std::optional<Merged> nearestTo(const Merged& ends, std::vector<Sample> samples)
     return best;
 }
 
-std::vector<Gap> gapsOf(const Curve& old, const std::set<std::size_t>& gone) {
-    const auto anchors = (old.points.size() + 2) / 3;
-    const auto pieces = old.closed ? anchors : anchors - 1;
+/// Gaps between anchors that pieces begin or end at; points beyond the last of these bound none.
+std::vector<Gap> gapsOf(const Curve& old, std::size_t pieces, const std::set<std::size_t>& gone) {
+    const auto anchors = old.closed ? pieces : pieces + 1;
     std::vector<std::size_t> kept;
     for (std::size_t k = 0; k < anchors; ++k) {
         if (!gone.contains(3 * k)) {
@@ -177,7 +177,7 @@ CurveEntry withFittedHandles(const Curve& old, const CurveEntry& left,
     const Pieces pieces = piecesOf(old);
     auto curve = std::make_shared<Curve>(*left);
     CurveEntry result = left;
-    for (const auto& [merged, anchor] : gapsOf(old, gone)) {
+    for (const auto& [merged, anchor] : gapsOf(old, pieces.size(), gone)) {
         const Piece first = pieces[merged.front()];
         const Piece last = pieces[merged.back()];
         const Merged ends = {first.bezierPoint(0), directionFrom(first, false), last.bezierPoint(3),
