@@ -136,12 +136,9 @@ void paste(Session& session) {
 }
 
 void duplicate(Session& session) {
-    const auto& entry = session.document().curves[session.view.activeCurve];
-    auto copied = std::make_shared<Curve>(*entry);
-    copied->name += " copy";
-    CurveEntry another = entry;
-    another = std::move(copied);
-    addCopies(session, {another}, "Duplicate the curve");
+    const auto active = session.view.activeCurve;
+    const Document doubled = duplicateCurve(session.history.settled(), active);
+    addCopies(session, {doubled.curves[active + 1]}, "Duplicate the curve");
 }
 
 /// What came of an edit that may be impossible.
