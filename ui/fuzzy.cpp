@@ -130,8 +130,8 @@ std::optional<FuzzyMatch> fuzzyMatch(std::string_view pattern, std::string_view 
         pattern.remove_prefix(end);
     }
     std::ranges::sort(match.letters);
-    const auto repeated = std::ranges::unique(match.letters);
-    match.letters.erase(repeated.begin(), repeated.end());
+    match.letters.erase(std::unique(match.letters.begin(), match.letters.end()),
+                        match.letters.end());
     return match;
 }
 

@@ -254,8 +254,8 @@ Document setHandleMode(const Document& document, std::span<const PointId> ids, H
         }
     }
     Document next = document;
-    for (const auto& [index, own] : anchors) {
-        next = changed(next, index, [&](Curve& curve, HandleModes& modes) {
+    for (const auto& [index, ofCurve] : anchors) {
+        next = changed(next, index, [&own = ofCurve, mode](Curve& curve, HandleModes& modes) {
             for (const auto anchor : own) {
                 obey(curve, anchor, mode);
                 modes[anchor] = mode;

@@ -87,7 +87,7 @@ std::optional<Parts> cut(const Curve& curve, Spot spot) {
     const auto& [whole, joint, isNew] = *jointed;
     const auto count = pieces.size() + (isNew ? 1 : 0);
     Parts parts{{}, joint, isNew};
-    const auto add = [&](std::size_t first, std::size_t pieceCount) {
+    const auto add = [&whole = whole, &parts](std::size_t first, std::size_t pieceCount) {
         if (const auto part = excerpt(whole, first, pieceCount)) {
             parts.curves.push_back(clampedIfPossible(*part));
         }
