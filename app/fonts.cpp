@@ -4,7 +4,6 @@
 
 #include <fontconfig/fontconfig.h>
 
-#include <clocale>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -12,19 +11,6 @@
 namespace splineloft::app {
 
 namespace {
-
-// Numbers are read and written without the locale, but libraries that we call are not so careful:
-// whatever happens to it in here is undone.
-class LocaleKept {
-  public:
-    LocaleKept() : before_(std::setlocale(LC_ALL, nullptr)) {}
-    ~LocaleKept() { std::setlocale(LC_ALL, before_.c_str()); }
-    LocaleKept(const LocaleKept&) = delete;
-    LocaleKept& operator=(const LocaleKept&) = delete;
-
-  private:
-    std::string before_;
-};
 
 struct Freed {
     void operator()(FcConfig* config) const { FcConfigDestroy(config); }
@@ -66,7 +52,6 @@ std::string findFont(FcConfig* config, int weight) {
 } // namespace
 
 ui::Fonts findFonts() {
-    const LocaleKept locale;
     const Owned<FcConfig> config(FcInitLoadConfigAndFonts());
     if (!config) {
         throw WindowError("fontconfig cannot read its configuration (is fontconfig installed?)");

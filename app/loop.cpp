@@ -3,12 +3,15 @@
 #include "app/imgui_versions.h"
 #include "app/interface.h"
 #include "app/moment.h"
+#include "app/renderer.h"
+#include "app/window.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace splineloft::app {
 
@@ -51,7 +54,7 @@ class Pace {
     // Notes the start of a frame and returns the time since the start of the one before.
     double start() {
         const auto now = Clock::now();
-        const auto step = Seconds(now - started_).count();
+        const auto step = started_ ? Seconds(now - *started_).count() : 0;
         started_ = now;
         return std::max(step, shortestStep);
     }
@@ -83,24 +86,39 @@ class Pace {
         }
     }
 
-    double remaining() const { return (shortestFrame - Seconds(Clock::now() - started_)).count(); }
+    double remaining() const {
+        return started_ ? (shortestFrame - Seconds(Clock::now() - *started_)).count() : 0;
+    }
 
-    Clock::time_point started_ = Clock::now();
+    std::optional<Moment> started_; // the last frame, if there was one
     bool animating_ = false;
     int left_ = settlingFrames;
 };
 
+WindowOptions sizeWanted(const ui::Session& session) {
+    WindowOptions options;
+    options.width = static_cast<int>(std::lround(session.habits.windowWidth));
+    options.height = static_cast<int>(std::lround(session.habits.windowHeight));
+    return options;
+}
+
 } // namespace
 
-void runEditor(Window& window, ui::InputQueue& queue, ui::Session& session, Attendant& attendant) {
+void runEditor(ui::Session& session, Attendant& attendant) {
+    const auto wanted = sizeWanted(session);
+    Interface interface(ui::scaled({wanted.width, wanted.height, 1}, session.view));
+    ui::InputQueue queue;
+    Window window(wanted, queue);
+    Renderer renderer;
     Clipboard clipboard{window, {}};
-    Interface interface;
     shareClipboard(clipboard);
     Pace pace;
     while (true) {
         pace.wait(window, queue, session, attendant);
         const auto screen = window.screen();
-        interface.fit(ui::scaled(screen, session.view));
+        if (interface.fit(ui::scaled(screen, session.view))) {
+            renderer.uploadFonts();
+        }
         const auto frame = ui::runFrame(session, screen, queue.takeFrame(), pace.start());
         if (!attendant.afterFrame(session, screen)) {
             return;
@@ -111,7 +129,7 @@ void runEditor(Window& window, ui::InputQueue& queue, ui::Session& session, Atte
         if (!queue.empty()) {
             continue; // events that were caught up with are not worth showing one by one
         }
-        interface.renderer().draw(frame, screen);
+        renderer.draw(frame, screen);
         window.swapBuffers();
         pace.drawn(frame.animating);
     }

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "app/attendant.h"
-#include "app/window.h"
-#include "ui/input.h"
+#include "ui/session.h"
 
 namespace splineloft::app {
 
-/// Runs the editor in `window`, whose events arrive in `queue`, until the attendant ends it. Starts
-/// and stops the interface. Sleeps while nothing happens and nothing is due. Throws WindowError
-/// when the fonts or shaders cannot be loaded.
-void runEditor(Window& window, ui::InputQueue& queue, ui::Session& session, Attendant& attendant);
+/// Opens a window on the session and runs it until the attendant ends it. Starts and stops the
+/// interface. Sleeps while nothing happens and nothing is due. Throws WindowError when there is no
+/// display to open it on, or fonts or shaders cannot be loaded.
+void runEditor(ui::Session& session, Attendant& attendant);
 
 } // namespace splineloft::app

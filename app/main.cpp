@@ -6,11 +6,9 @@
 #include "app/loop.h"
 #include "app/offscreen.h"
 #include "app/storage/keeper.h"
-#include "app/window.h"
 #include "app/window_error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 namespace splineloft::app {
@@ -31,12 +29,7 @@ int openEditor(const OpenEditor& asked) {
     }
     Keeper keeper(placesFromEnvironment());
     keeper.begin(*session, asked.files);
-    ui::InputQueue queue;
-    WindowOptions options;
-    options.width = static_cast<int>(std::lround(session->habits.windowWidth));
-    options.height = static_cast<int>(std::lround(session->habits.windowHeight));
-    Window window(options, queue);
-    runEditor(window, queue, *session, keeper);
+    runEditor(*session, keeper);
     return 0;
 }
 

@@ -119,14 +119,16 @@ Image drawOffscreen(Renderer& renderer, const ui::FrameResult& frame, const ui::
 }
 
 Image screenshot(ui::Session& session, const ui::Screen& screen) {
+    Interface interface(ui::scaled(screen, session.view));
     const OffscreenContext context;
-    Interface interface;
+    Renderer renderer;
     interface.fit(ui::scaled(screen, session.view));
+    renderer.uploadFonts();
     auto frame = ui::runFrame(session, screen, {}, frameSeconds);
     for (int settled = 1; settled < settlingFrames; ++settled) {
         frame = ui::runFrame(session, screen, {}, frameSeconds);
     }
-    return drawOffscreen(interface.renderer(), frame, screen);
+    return drawOffscreen(renderer, frame, screen);
 }
 
 } // namespace splineloft::app

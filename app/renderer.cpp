@@ -96,6 +96,11 @@ class Clip {
     Clip& operator=(const Clip&) = delete;
 };
 
+/// A rectangle with a margin of a pixel.
+ui::ScreenRect grown(const ui::ScreenRect& rect) {
+    return {rect.left - 1, rect.top - 1, rect.width + 2, rect.height + 2};
+}
+
 /// A vertex shader with what it takes to lay out the segments of strokes before it.
 std::string withSegments(const char* body) {
     return std::string(shaders::segmentVertex) + body;
@@ -156,7 +161,7 @@ void Renderer::draw(const ui::FrameResult& frame, const ui::Screen& screen) {
     glViewport(0, 0, screen.width, screen.height);
     clear(frame.background);
     for (const auto& picture : frame.pictures) {
-        drawPicture(picture, screen);
+        drawPicture(picture, frame.background, screen);
     }
     tables_.forgetUnused();
     auto* const panels = panels_ ? ImGui::GetDrawData() : nullptr;
@@ -165,12 +170,12 @@ void Renderer::draw(const ui::FrameResult& frame, const ui::Screen& screen) {
     }
 }
 
-void Renderer::drawPicture(const ui::Picture& picture, const ui::Screen& screen) {
+void Renderer::drawPicture(const ui::Picture& picture, ui::Colour behind,
+                           const ui::Screen& screen) {
     const Clip clip(picture.frame, screen);
-    if (picture.background.alpha == 255) {
-        clear(picture.background);
-    } else {
-        drawAreas(std::array{ui::Area{picture.frame, picture.background}}, screen);
+    if (picture.background != behind) {
+        // To beyond the edges, which the clip cuts sharp. (Clearing a part costs a shader, too.)
+        drawAreas(std::array{ui::Area{grown(picture.frame), picture.background}}, screen);
     }
     drawAreas(picture.areas, screen);
     const auto ribbons = std::span(picture.ribbons);

@@ -40,7 +40,7 @@ class Renderer {
         gl::VertexArray vertices;
     };
 
-    void drawPicture(const ui::Picture& picture, const ui::Screen& screen);
+    void drawPicture(const ui::Picture& picture, ui::Colour behind, const ui::Screen& screen);
     void drawAreas(std::span<const ui::Area> areas, const ui::Screen& screen);
     void drawRibbons(std::span<const ui::RibbonVertex> ribbons, const ui::Screen& screen);
     void drawPieces(const ui::PieceStroke& stroke, const ui::Screen& screen);

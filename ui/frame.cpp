@@ -259,7 +259,7 @@ FrameResult runFrame(Session& session, const Screen& window, std::span<const Inp
     fitIfAsked(session);
 
     FrameResult result;
-    result.background = theme.surfaces.panel;
+    result.background = theme.surfaces.canvas;
     showCanvas(result, session, theme, screen.scale);
     if (frames) {
         showPlots(result, session, *frames, layout.strip, theme, screen.scale);

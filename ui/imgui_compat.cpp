@@ -179,16 +179,18 @@ void releaseActiveWidget() {
 }
 
 const ImWchar* glyphRanges() {
-    static constexpr std::array<ImWchar, 19> ranges = {
-        0x0020, 0x024F, // Latin
+    // What the interface shows and what names are made of. Each letter costs time at the start.
+    static constexpr std::array<ImWchar, 21> ranges = {
+        0x0020, 0x017F, // Latin
         0x0370, 0x03FF, // Greek
         0x2010, 0x2044, // dashes, quotes, dots, primes
         0x2070, 0x209F, // super- and subscripts
-        0x2150, 0x21FF, // fractions, arrows
-        0x2200, 0x22FF, // mathematical operators
-        0x2300, 0x23FF, // technical signs
-        0x25A0, 0x26FF, // shapes and symbols
-        0x2700, 0x27BF, // dingbats
+        0x2150, 0x215F, // fractions
+        0x2190, 0x2199, // arrows
+        0x2200, 0x226B, // mathematical operators
+        0x2302, 0x2302, // house
+        0x25A0, 0x25FF, // shapes
+        0x2700, 0x275A, // pencils, bars
         0};
     return ranges.data();
 }

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace splineloft::ui {
@@ -88,11 +87,8 @@ TEST(OutlineLaws, whatIsOutOfSightIsOneLineAPiece) {
         curve.points.append(Point{100 + std::sin(0.7 * i), std::cos(1.3 * i)});
     }
     const Pieces pieces = piecesOf(curve);
-    const auto begin = std::chrono::steady_clock::now();
     const auto line = outline(pieces, {{{1e4, 0}, 100}, frame});
-    const auto spent = std::chrono::steady_clock::now() - begin;
     EXPECT_EQ(line.size(), pieces.size() + 1);
-    EXPECT_LT(spent, std::chrono::milliseconds(250)) << "a few milliseconds, in truth";
 }
 
 TEST(OutlineLaws, wildCurvesStayBounded) {

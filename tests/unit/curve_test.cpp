@@ -6,7 +6,6 @@
 #include "core/spline/traits.h"
 #include "tests/property/random_curves.h"
 
-#include <chrono>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -196,20 +195,17 @@ TEST(ControlAtStart, isWhereAnInterpolatingPieceBegins) {
     EXPECT_EQ(controlAtStart(Curve(), 0), 0u) << "nothing to begin at";
 }
 
-/// A few hundredths of a second each; the bound leaves room for sanitizers and a busy machine.
-TEST(Pieces, ofManyPointsAreQuick) {
+/// A few hundredths of a second each; a quadratic step would outlast the time that ctest gives.
+TEST(Pieces, areMadeOfManyPoints) {
     for (const auto* family : {"cardinal", "natural", "b-spline", "catmull-rom"}) {
         for (const bool closed : {false, true}) {
             Dice dice(1);
             Curve curve = emptyCurve({family, closed, formsOf(family).front().ends}, 2);
             rollPoints(curve, 100'000, {100, 100}, 50, dice);
-            const auto begin = std::chrono::steady_clock::now();
             EXPECT_FALSE(problemOf(curve));
             EXPECT_EQ(piecesOf(curve).size(), closed ? 100'000u : 99'999u);
             EXPECT_EQ(abscissae(curve).size(), 100'000u);
             EXPECT_LE(fewestPoints(curve), 2u);
-            const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-            EXPECT_LT(took.count(), 10) << family;
         }
     }
 }

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -316,6 +315,7 @@ TEST(WriteDocument, doesNotFollowTheLocale) {
     EXPECT_EQ(wrong.refusal().place, "/curves/0/parameters/tension");
 }
 
+// A quadratic step in it would take hours, and the time that ctest leaves to a test is minutes.
 TEST(WriteDocument, takesAMillionPointsInItsStride) {
     Curve curve;
     std::mt19937 random(7);
@@ -325,20 +325,9 @@ TEST(WriteDocument, takesAMillionPointsInItsStride) {
         curve.points.append({anywhere(random), anywhere(random)});
     }
     const Document document{{std::make_shared<const Curve>(std::move(curve))}, "{}"};
-    const auto start = std::chrono::steady_clock::now();
-    const auto text = writeDocument(document);
-    const auto written = std::chrono::steady_clock::now();
-    const auto read = readDocument(text);
-    const auto end = std::chrono::steady_clock::now();
+    const auto read = readDocument(writeDocument(document));
     ASSERT_TRUE(read) << read.refusal().message();
     EXPECT_EQ(read->curves[0]->points, document.curves[0]->points);
-    const std::chrono::duration<double> writing = written - start;
-    const std::chrono::duration<double> reading = end - written;
-    RecordProperty("seconds to write", std::to_string(writing.count()));
-    RecordProperty("seconds to read", std::to_string(reading.count()));
-    // Generous, for slow machines and sanitizers: a quadratic step would take hours.
-    EXPECT_LT(writing.count(), 20);
-    EXPECT_LT(reading.count(), 40);
 }
 
 TEST(Examples, areDocumentsAsTheProgramWritesThem) {

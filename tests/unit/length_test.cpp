@@ -6,7 +6,6 @@
 #include "tests/property/random_curves.h"
 #include "tests/unit/random_pieces.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -64,8 +63,7 @@ TEST(Length, ofTheCuspedCubic) {
     EXPECT_NEAR(ArcLength(straightBack).total(), 6, promised * 6) << "there and back on a line";
 }
 
-TEST(Length, ofRestingPiecesIsFiniteAndQuick) {
-    const auto begin = std::chrono::steady_clock::now();
+TEST(Length, ofRestingPiecesIsFinite) {
     const Point a = {5, 7};
     for (const auto& points : std::vector<Points>{{{5, 7}, {5, 7}, {5, 7}, {5, 7}},
                                                   {{5, 7}, {5, 7}, {9, 4}, {9, 4}},
@@ -78,8 +76,6 @@ TEST(Length, ofRestingPiecesIsFiniteAndQuick) {
         EXPECT_TRUE(std::isfinite(lengths.total()));
         EXPECT_GE(lengths.total(), distance(a, points.at(3)) * (1 - promised));
     }
-    const auto took = std::chrono::steady_clock::now() - begin;
-    EXPECT_LT(std::chrono::duration<double>(took).count(), 1);
 }
 
 TEST(Length, ofTheExactCircle) {

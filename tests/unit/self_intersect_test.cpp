@@ -2,7 +2,6 @@
 
 #include "tests/property/random_pieces.h"
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -166,12 +165,9 @@ TEST(SelfIntersections, ofThousandsOfPieces) {
     points.push_back({6200, 7.5});
     points.push_back({3000, 7.5});
     points.push_back({90, 7.5});
-    const auto start = std::chrono::steady_clock::now();
     const auto found = selfIntersections(chainOf(2, points));
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     EXPECT_TRUE(found.complete);
     EXPECT_EQ(found.crossings.size(), 3001u) << "two for every other arch, and one";
-    EXPECT_LT(seconds.count(), 5) << "far from n^2";
     EXPECT_FALSE(selfIntersections(chainOf(2, points), 10).complete);
 }
 

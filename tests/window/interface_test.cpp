@@ -17,31 +17,36 @@ ui::Session sessionToDraw() {
     return ui::Session(document);
 }
 
-Image drawn(Interface& interface, ui::Session& session, const ui::Screen& screen) {
-    interface.fit(screen);
-    for (int i = 0; i < 3; ++i) {
-        ui::runFrame(session, screen, {}, 1.0 / 60);
+/// The interface with what draws it.
+struct Drawn {
+    explicit Drawn(const ui::Screen& expected) : interface(expected) {}
+
+    Image of(ui::Session session, const ui::Screen& screen) {
+        if (interface.fit(screen)) {
+            renderer.uploadFonts();
+        }
+        for (int i = 0; i < 3; ++i) {
+            ui::runFrame(session, screen, {}, 1.0 / 60);
+        }
+        const auto frame = ui::runFrame(session, screen, {}, 1.0 / 60);
+        return drawOffscreen(renderer, frame, screen);
     }
-    const auto frame = ui::runFrame(session, screen, {}, 1.0 / 60);
-    return drawOffscreen(interface.renderer(), frame, screen);
-}
+
+    Interface interface;
+    Renderer renderer;
+};
 
 TEST(Interface, looksTheSameWhateverScaleItHadBefore) {
     const ui::Screen once{1280, 800, 1};
     const ui::Screen twice{1280, 800, 2};
     const OffscreenContext context;
-    const auto fresh = [&](const ui::Screen& screen) {
-        Interface interface;
-        auto session = sessionToDraw();
-        return drawn(interface, session, screen);
-    };
-    const Image expectedOnce = fresh(once);
-    const Image expectedTwice = fresh(twice);
+    const Image expectedOnce = Drawn(once).of(sessionToDraw(), once);
+    const Image expectedTwice = Drawn(twice).of(sessionToDraw(), twice);
     ASSERT_NE(expectedOnce.rgba, expectedTwice.rgba);
-    Interface interface;
+    EXPECT_EQ(Drawn(twice).of(sessionToDraw(), once).rgba, expectedOnce.rgba) << "not as expected";
+    Drawn drawn(once);
     for (const bool large : {false, true, false, true}) {
-        auto session = sessionToDraw();
-        const Image image = drawn(interface, session, large ? twice : once);
+        const Image image = drawn.of(sessionToDraw(), large ? twice : once);
         EXPECT_EQ(image.rgba, (large ? expectedTwice : expectedOnce).rgba) << large;
     }
 }
