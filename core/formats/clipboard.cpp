@@ -23,7 +23,13 @@ namespace {
 
 using Indices = std::set<std::size_t>;
 
-/// The curve with these control points only; of a Bézier spline with these anchors.
+/// What is copied for a control point: of a Bézier spline the anchor that it belongs to, and for a
+/// last handle, whose anchor is not there yet, the last one.
+std::size_t copiedFor(const Curve& curve, std::size_t index) {
+    return hasHandles(curve) ? anchorOf(curve, index).value_or(index - index % 3) : index;
+}
+
+/// The curve with these control points only, at least one; of a Bézier spline with these anchors.
 CurveEntry only(const CurveEntry& entry, const Indices& kept) {
     Document document;
     document.curves.push_back(entry);
@@ -231,8 +237,7 @@ std::string copiedCurves(const Document& document, std::span<const std::size_t> 
 std::string copiedPoints(const Document& document, std::span<const PointId> ids) {
     std::map<std::size_t, Indices> kept; // by curve
     for (const auto& id : ids) {
-        const Curve& curve = *document.curves.at(id.curve);
-        kept[id.curve].insert(anchorOf(curve, id.index).value_or(id.index));
+        kept[id.curve].insert(copiedFor(*document.curves.at(id.curve), id.index));
     }
     std::vector<CurveEntry> copied;
     for (const auto& [curve, indices] : kept) {

@@ -2,6 +2,7 @@
 // what came from a family goes back to it.
 #include "core/spline/catalog.h"
 #include "core/spline/change/convert.h"
+#include "tests/property/cases.h"
 #include "tests/property/random_curves.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +94,7 @@ std::vector<std::string> through(const Curve& curve) {
 }
 
 TEST_P(Conversion, thereAndBackAgain) {
-    constexpr int rounds = 250;
+    constexpr int rounds = casesOf(850);
     std::size_t trips = 0;
     forEveryForm(GetParam(), rounds, [&](const Curve& curve) {
         if (curve.points.size() > 9 && curve.family == "lagrange") {

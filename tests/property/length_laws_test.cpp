@@ -1,5 +1,6 @@
 // Laws of arc length on random pieces: near cusps, of every kind of piece, and back from lengths to
 // spots.
+#include "tests/property/cases.h"
 #include "tests/property/hard_pieces.h"
 #include "tests/property/random_curves.h"
 
@@ -133,7 +134,7 @@ double polygonOf(const Piece& piece) {
 TEST(LengthOfRandomPieces, isRightToTheToleranceAskedFor) {
     constexpr std::uint64_t seed = 4711;
     Dice dice(seed);
-    constexpr int cases = 3000;
+    constexpr int cases = casesOf(20'000);
     for (int i = 0; i < cases; ++i) {
         const Pieces one = randomPiece(dice);
         SCOPED_TRACE("seed " + std::to_string(seed) + " case " + std::to_string(i) + ": " +
@@ -152,7 +153,7 @@ TEST(LengthOfRandomPieces, isRightToTheToleranceAskedFor) {
 TEST(LengthOfRandomPieces, ofPlaneCubicsNeverMisses) {
     constexpr std::uint64_t seed = 31;
     Dice dice(seed);
-    constexpr int cases = 20000;
+    constexpr int cases = casesOf(100'000);
     for (int i = 0; i < cases; ++i) {
         const Pieces one = nearlyCuspedCubic(dice, 2);
         const double polygon = polygonOf(one[0]);
@@ -173,7 +174,7 @@ TEST(LengthOfRandomPieces, ofPlaneCubicsNeverMisses) {
 TEST(LengthOfRandomPieces, isTheSameOnEveryPath) {
     constexpr std::uint64_t seed = 99;
     Dice dice(seed);
-    constexpr int cases = 5000;
+    constexpr int cases = casesOf(20'000);
     for (int i = 0; i < cases; ++i) {
         const int dimension = dice.whole(1, 3);
         const Pieces one = i % 2 == 0 ? nearlyCuspedCubic(dice, dimension)
@@ -197,7 +198,7 @@ TEST(LengthOfRandomPieces, isTheSameOnEveryPath) {
 TEST(EvenSpacing, isEvenToOnePartInABillion) {
     constexpr std::uint64_t seed = 5;
     Dice dice(seed);
-    constexpr int cases = 10000;
+    constexpr int cases = casesOf(100'000);
     for (int i = 0; i < cases; ++i) {
         const Pieces curve = randomRow(dice, dice.whole(1, 4));
         SCOPED_TRACE("seed " + std::to_string(seed) + " case " + std::to_string(i) + ": " +
@@ -232,7 +233,7 @@ TEST(EvenSpacing, isEvenToOnePartInABillion) {
 TEST(EvenSpacing, hasTheSameSpotsManyOrOneByOne) {
     constexpr std::uint64_t seed = 6;
     Dice dice(seed);
-    constexpr int cases = 1000;
+    constexpr int cases = casesOf(1000);
     for (int i = 0; i < cases; ++i) {
         const Pieces curve = randomRow(dice, dice.whole(1, 3));
         SCOPED_TRACE("seed " + std::to_string(seed) + " case " + std::to_string(i) + ": " +

@@ -1,5 +1,6 @@
 // The nearest spot against trying very many, on pieces of every kind; and the index against no
 // index.
+#include "tests/property/cases.h"
 #include "tests/property/hard_pieces.h"
 #include "tests/property/random_curves.h"
 
@@ -81,7 +82,7 @@ void expectNearest(const Pieces& pieces, const Point& place, int steps) {
 TEST(NearestOfRandomPieces, isNotFartherThanBruteForceFinds) {
     constexpr std::uint64_t seed = 2024;
     Dice dice(seed);
-    constexpr int pieces = 6000, places = 5;
+    constexpr int pieces = casesOf(20'000), places = 5;
     for (int i = 0; i < pieces; ++i) {
         const Pieces one = randomPiece(dice);
         SCOPED_TRACE("seed " + std::to_string(seed) + " piece " + std::to_string(i) + ": " +
@@ -98,7 +99,7 @@ TEST(NearestOfRandomPieces, isNotFartherThanBruteForceFinds) {
 TEST(NearestOfRandomPieces, isTheSameOnEveryPath) {
     constexpr std::uint64_t seed = 77;
     Dice dice(seed);
-    constexpr int pieces = 10000, places = 10;
+    constexpr int pieces = casesOf(10'000), places = 10;
     for (int i = 0; i < pieces; ++i) {
         const int dimension = dice.whole(1, 3);
         const Pieces one = dice.oneIn(2) ? nearlyCuspedCubic(dice, dimension)
@@ -127,7 +128,7 @@ TEST(NearestOfRandomPieces, isTheSameOnEveryPath) {
 TEST(NearestOfRandomPieces, hasManyMinimaWhereTheDegreeIsHigh) {
     constexpr std::uint64_t seed = 25;
     Dice dice(seed);
-    constexpr int pieces = 60;
+    constexpr int pieces = casesOf(60);
     for (int i = 0; i < pieces; ++i) {
         const Pieces one = randomPolynomial(dice, dice.whole(15, 25), dice.whole(1, 3));
         SCOPED_TRACE("seed " + std::to_string(seed) + " piece " + std::to_string(i));

@@ -1,4 +1,5 @@
 // What geometric operations promise, on a hundred thousand random curves.
+#include "tests/property/cases.h"
 #include "tests/property/random_pieces.h"
 
 #include "core/spline/measure/nearest.h"
@@ -15,9 +16,9 @@
 namespace splineloft::testing_curves {
 namespace {
 
-/// Calls `law(pieces, dice)` with `rounds` random curves, until one fails.
+/// Calls `law(pieces, dice)` with as many random curves as `casesOf(rounds)`, until one fails.
 template <class Law> void forRandomPieces(int rounds, const Variety& variety, Law law) {
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < casesOf(rounds); ++round) {
         const auto seed = static_cast<std::uint64_t>(round) * 104729 + 3;
         Dice dice(seed);
         const Pieces pieces = randomPieces(dice, variety);
@@ -57,7 +58,7 @@ void expectSameCurve(const Pieces& ours, const Pieces& wanted, double from, doub
 }
 
 TEST(OperationLaws, subdividingLeavesTheCurve) {
-    forRandomPieces(10'000, {.dimension = 3}, [](const Pieces& pieces, Dice& dice) {
+    forRandomPieces(100'000, {.dimension = 3}, [](const Pieces& pieces, Dice& dice) {
         const Spot spot = randomSpot(pieces, dice);
         const Pieces cut = subdivided(pieces, spot);
         const bool atJoint = spot.u == 0 || spot.u == 1;
@@ -72,7 +73,7 @@ TEST(OperationLaws, subdividingLeavesTheCurve) {
 }
 
 TEST(OperationLaws, aPartIsTheCurveBetweenTwoSpots) {
-    forRandomPieces(10'000, {.dimension = 3}, [](const Pieces& pieces, Dice& dice) {
+    forRandomPieces(100'000, {.dimension = 3}, [](const Pieces& pieces, Dice& dice) {
         Spot from = randomSpot(pieces, dice), to = randomSpot(pieces, dice);
         if (comesBefore(to, from)) {
             std::swap(from, to);
@@ -97,7 +98,7 @@ TEST(OperationLaws, aPartIsTheCurveBetweenTwoSpots) {
 }
 
 TEST(OperationLaws, reversedTwiceIsTheSame) {
-    forRandomPieces(10'000, {.dimension = 2}, [](const Pieces& pieces, Dice& dice) {
+    forRandomPieces(100'000, {.dimension = 2}, [](const Pieces& pieces, Dice& dice) {
         const Pieces back = reversed(pieces);
         const Pieces again = reversed(back);
         EXPECT_TRUE(std::ranges::equal(again.bezier(), pieces.bezier()));
@@ -111,7 +112,7 @@ TEST(OperationLaws, reversedTwiceIsTheSame) {
 }
 
 TEST(OperationLaws, theOsculatingCircleHasTheCurveOnIt) {
-    forRandomPieces(10'000, {.dimension = 3, .offset = 20}, [](const Pieces& pieces, Dice& dice) {
+    forRandomPieces(100'000, {.dimension = 3, .offset = 20}, [](const Pieces& pieces, Dice& dice) {
         const Spot spot{randomSpot(pieces, dice).segment, dice.between(0, 1)};
         const auto circle = osculatingCircle(pieces, spot);
         const Jet jet = pieces.jet(spot);
@@ -317,7 +318,7 @@ TEST(OperationLaws, noSelfIntersectionIsMissing) {
         }
     });
     EXPECT_LE(different, rounds / 200);
-    EXPECT_GT(all, static_cast<std::size_t>(rounds)) << "the curves are too tame";
+    EXPECT_GT(all, static_cast<std::size_t>(casesOf(rounds))) << "the curves are too tame";
 }
 
 /// Bézier points on a few places only: points, straight lines, curves that run back, cusps and

@@ -88,6 +88,20 @@ TEST(Clipboard, copiedAnchorsBringTheirHandles) {
     EXPECT_EQ(only(copiedPoints(document, std::vector<PointId>{{0, 6}})).points, (Points{{9, 0}}));
 }
 
+/// Found by the undo laws: the anchor of the last handle is not there yet.
+TEST(Clipboard, aLastHandleBringsTheLastAnchor) {
+    Curve curve;
+    curve.family = "bezier-spline";
+    curve.ends = Ends::none;
+    curve.points = {{0, 0}, {1, 1}, {2, 1}, {3, 0}, {4, -1}, {5, -1}};
+    const Document document{{std::make_shared<const Curve>(curve)}, "{}"};
+    const std::array last = {PointId{0, 5}};
+    const auto copied = pasted(copiedPoints(document, last));
+    ASSERT_TRUE(copied) << copied.refusal().message();
+    ASSERT_EQ(copied->curves.size(), 1u);
+    EXPECT_EQ(copied->curves[0]->points.at(0), (Point{3, 0}));
+}
+
 TEST(Clipboard, pointsOfSeveralCurvesStaySeveral) {
     const Document document = everyFamily();
     std::vector<PointId> ids;

@@ -2,6 +2,8 @@
 #include "core/spline/catalog.h"
 #include "core/spline/change/convert.h"
 #include "core/spline/change/knots.h"
+#include "core/spline/change/shape.h"
+#include "tests/property/cases.h"
 #include "tests/property/random_curves.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +68,7 @@ TEST_P(Knots, writtenOutAreTheSameCurve) {
 }
 
 TEST_P(Knots, oneMoreChangesNothing) {
-    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= casesOf(50'000); ++seed) {
         Dice dice(seed + 77);
         const Curve curve = rolled(GetParam(), seed);
         SCOPED_TRACE(wordsOf(curve) + " seed " + std::to_string(seed));
@@ -88,6 +90,9 @@ TEST_P(Knots, oneMoreChangesNothing) {
         EXPECT_EQ(more.points.size(), own.points.size() + static_cast<std::size_t>(times));
         EXPECT_EQ(more.knots.size(), own.knots.size() + static_cast<std::size_t>(times));
         expectSameByParameter(curve, more, dice, toleranceOf(curve));
+        if (testing::Test::HasFailure()) {
+            return;
+        }
     }
 }
 
@@ -131,7 +136,7 @@ TEST_P(Knots, untilEachStandsDegreeTimesAreTheBezierPoints) {
 }
 
 TEST_P(Knots, oneDegreeMoreChangesNothing) {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= casesOf(50'000); ++seed) {
         Dice dice(seed + 5);
         const Curve curve = rolled(GetParam(), seed);
         SCOPED_TRACE(wordsOf(curve) + " seed " + std::to_string(seed));
@@ -142,9 +147,11 @@ TEST_P(Knots, oneDegreeMoreChangesNothing) {
         EXPECT_EQ(parameterOf(high, "degree"), parameterOf(curve, "degree") + 1);
         const auto difference = differenceOf(piecesOf(curve), piecesOf(high));
         ASSERT_TRUE(difference);
-        EXPECT_LE(difference->most, toleranceOf(curve));
+        // What the header promises: uneven knots of degree 7 need more than a few roundings.
+        const double tolerance = conversion::toleranceOf(piecesOf(curve));
+        EXPECT_LE(difference->most, tolerance);
         EXPECT_TRUE(difference->sameParameter);
-        expectSameByParameter(curve, high, dice, toleranceOf(curve));
+        expectSameByParameter(curve, high, dice, tolerance);
         if (testing::Test::HasFailure()) {
             return;
         }

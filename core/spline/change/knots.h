@@ -23,8 +23,9 @@ std::variant<Curve, Problem> withKnot(const Curve& curve, double t, int times = 
 /// The same curve, of one degree more. bezier gets one more point (Forrest 1972); of b-spline and
 /// nurbs each inner knot stands once more, so that the curve is as smooth there as before, and
 /// free ends are clamped (Prautzsch 1984). The parameter t is kept. A problem for other families,
-/// which are of one degree only, and beyond the highest degree. Where the degree is so high that
-/// rounding would show, inner knots stand as often as Bézier points take.
+/// which are of one degree only, and beyond the highest degree. Places are kept as
+/// by `converted`; where the degree is so high, or the knots so uneven, that rounding would show
+/// beyond that, inner knots stand as often as Bézier points take.
 std::variant<Curve, Problem> elevated(const Curve& curve);
 
 } // namespace splineloft
