@@ -211,6 +211,9 @@ Result<std::vector<CurveEntry>> curvesIn(std::string_view text) {
     if (first == text.npos) {
         return Refusal{"", "", "is empty", "curves or points as text"};
     }
+    if (const auto at = text.find('\0'); at != text.npos) {
+        return Refusal{"", "byte " + std::to_string(at), "is a NUL character", "text without it"};
+    }
     if (text.size() > largestFile) {
         return Refusal{"", "", "has " + std::to_string(text.size()) + " bytes", "at most 64 MB"};
     }

@@ -157,6 +157,14 @@ TEST(Paste, takesLinesAsSpreadsheetsCopyThem) {
     EXPECT_EQ(only("a,a\n1,2").coordinates, (std::vector<std::string>{"x", "y"})) << "not unique";
 }
 
+/// Found by a fuzzer: a name of a coordinate had one, and then the document could not be read
+/// again.
+TEST(Paste, refusesNulCharacters) {
+    const auto result = pasted(std::string_view("x y\0z\n1 2\n", 10));
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.refusal().place, "byte 3");
+}
+
 TEST(Paste, refusesLinesAtLineAndColumn) {
     expectRefused("1,2\n3,4,5\n", "2:1", "3 numbers");
     expectRefused("1,2\n3,four\n", "2:3", "\"four\"");
