@@ -142,7 +142,7 @@ TEST(DragGesture, controlSnapsToTheGridAndShowsWhere) {
     hand.press(hand.place(3));
     hand.move({-0.55, -1.87}, withControl);
     const auto* drag = std::get_if<DraggingPoints>(&hand.session.gesture);
-    ASSERT_TRUE(drag && drag->snappedTo) << "what it snaps to is seen before letting go";
+    ASSERT_TRUE(drag && drag->held.to) << "what it snaps to is seen before letting go";
     hand.release({-0.55, -1.87}, withControl);
     const Point at = hand.curve().points.at(3);
     for (int c = 0; c < 2; ++c) {
@@ -157,8 +157,8 @@ TEST(DragGesture, controlSnapsToPointsBeforeTheGrid) {
     hand.press(hand.place(3));
     hand.move({-2.04, 1.45}, withControl);
     const auto* drag = std::get_if<DraggingPoints>(&hand.session.gesture);
-    ASSERT_TRUE(drag && drag->snappedTo);
-    EXPECT_EQ(*drag->snappedTo, hand.place(1)) << "the mark is on the point";
+    ASSERT_TRUE(drag && drag->held.to);
+    EXPECT_EQ(*drag->held.to, hand.place(1)) << "the mark is on the point";
     hand.release({-2.04, 1.45}, withControl);
     EXPECT_EQ(hand.curve().points.at(3), hand.curve().points.at(1));
 }

@@ -77,7 +77,7 @@ TEST(Hands, shiftKeeps45Degrees) {
     hand.move({before[0] + 1.1, before[1] + 0.9}, withShift);
     const auto* drag = std::get_if<DraggingPoints>(&hand.session.gesture);
     ASSERT_TRUE(drag);
-    EXPECT_EQ(drag->course, Course::rising) << "the line that it keeps to is seen";
+    EXPECT_EQ(drag->held.course, Course::rising) << "the line that it keeps to is seen";
     hand.release({before[0] + 1.1, before[1] + 0.9}, withShift);
     const Point way = hand.curve().points.at(3) - before;
     EXPECT_NEAR(way[0], way[1], 1e-12);

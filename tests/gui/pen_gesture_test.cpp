@@ -3,6 +3,7 @@
 
 #include "core/document/edits.h"
 #include "core/spline/catalog.h"
+#include "ui/canvas/gesture.h"
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,43 @@ TEST(PenGesture, pullsOutTheTangentOfAHermiteSpline) {
     hand.drag({-1, 2}, {-0.5, 2.75});
     ASSERT_EQ(hand.curve().tangents.size(), 8U);
     EXPECT_LE(distance(hand.curve().tangents.at(7), Point{1.5, 2.25}), 1e-12);
+}
+
+TEST(PenGesture, keepsToEightDirectionsFromTheLastPointWithShift) {
+    Hand hand = penOn({});
+    hand.click({-1, 1}, withShift);
+    EXPECT_EQ(hand.curve().points, (Points{{-1, 1}})) << "there is nothing to go on from yet";
+    hand.press({1.5, 1.25}, withShift);
+    const auto* placing = std::get_if<PlacingPoint>(&hand.session.gesture);
+    ASSERT_NE(placing, nullptr);
+    EXPECT_EQ(placing->held.course, Course::across) << "the line that it keeps to is seen";
+    hand.release({1.5, 1.25}, withShift);
+    EXPECT_EQ(hand.curve().points.at(1), (Point{1.5, 1}));
+    hand.click({2.5, 1.75}, withShift);
+    const Point last = hand.curve().points.at(2);
+    EXPECT_NEAR(last[0] - 1.5, last[1] - 1, 1e-12) << "at 45 degrees";
+    EXPECT_GT(last[0], 2);
+}
+
+TEST(PenGesture, keepsHandlesToEightDirectionsWithShift) {
+    Hand hand = penOn(documentOf({curveOf("bezier-spline")}));
+    hand.press({-1, 2});
+    hand.move({-0.5, 2.05}, withShift);
+    hand.release({-0.5, 2.05}, withShift);
+    const auto last = hand.curve().points.size() - 1;
+    EXPECT_EQ(hand.curve().points.at(last - 1)[1], hand.curve().points.at(last)[1]);
+    EXPECT_LT(hand.curve().points.at(last - 1)[0], hand.curve().points.at(last)[0]);
+}
+
+TEST(PenGesture, snapsToPointsAndGridWithControl) {
+    Hand hand = penOn(documentOf({curveOf("cardinal"), curveOf("linear")}));
+    const PlanePoint other = hand.place(3, 1);
+    hand.press({other.x + 0.03, other.y - 0.03}, withControl);
+    const auto* placing = std::get_if<PlacingPoint>(&hand.session.gesture);
+    ASSERT_TRUE(placing && placing->held.to) << "what it snaps to is seen before letting go";
+    EXPECT_EQ(*placing->held.to, other);
+    hand.release({other.x + 0.03, other.y - 0.03}, withControl);
+    EXPECT_EQ(hand.curve().points.at(7), (Point{other.x, other.y}));
 }
 
 TEST(PenGesture, givingUpTakesThePointAwayAgain) {

@@ -28,6 +28,14 @@ struct Idle {};
 /// What a move keeps to: nothing, an axis, or the line at 45 degrees that rises or falls.
 enum class Course { free, across, up, rising, falling };
 
+/// What a hand is held to, as it is shown: a line through the place where it is, and
+/// the place it snapped to.
+struct Held {
+    Course course = Course::free;
+    PlanePoint through{};
+    std::optional<PlanePoint> to = std::nullopt;
+};
+
 /// A button is down on a control point; beyond a few pixels it moves all that are selected.
 struct DraggingPoints {
     std::vector<PointId> ids;
@@ -35,8 +43,7 @@ struct DraggingPoints {
     ScreenPoint from;
     bool moved = false;
     bool selectOnlyThis = false; ///< on release, if it has not moved
-    Course course = Course::free;
-    std::optional<PlanePoint> snappedTo = std::nullopt;
+    Held held = {};
 };
 
 /// A rubber band; `kept` stays selected.
@@ -58,6 +65,7 @@ struct PlacingPoint {
     PointId point;
     Document placed;
     ScreenPoint from;
+    Held held = {};
 };
 
 /// A grip of the frame around the selection is being pulled.

@@ -30,7 +30,8 @@ static std::string penHint(const View& view, const Document& document) {
     const Curve& curve = *document.curves[view.activeCurve];
     const bool closes = familyOf(curve).closable && curve.points.size() > 2;
     return std::string("Click to add a point at the end · ") +
-           (closes ? "click the first point to close · " : "") + "Enter or Esc ends";
+           (closes ? "click the first point to close · " : "") +
+           "Shift keeps to 45° · Ctrl snaps · Enter or Esc ends";
 }
 
 std::string hintFor(const Gesture& gesture, const View& view, const Document& document) {

@@ -16,13 +16,14 @@ constexpr double snapReach = 9;
 std::optional<PlanePoint> nearbyPoint(PlanePoint wanted, const std::vector<PointId>& ids,
                                       const View& view, const Situation& s) {
     const auto stays = [&](const PointId& id) {
-        return std::ranges::equal(s.settled.curves[id.curve]->points[id.index],
+        return id.index < s.settled.curves[id.curve]->points.size() &&
+               std::ranges::equal(s.settled.curves[id.curve]->points[id.index],
                                   s.live.curves[id.curve]->points[id.index]) &&
                std::ranges::find(ids, id) == ids.end();
     };
     std::optional<PlanePoint> found;
     double best = s.viewport.toPlane(snapReach * s.scale);
-    for (std::size_t c = 0; c < s.studies.size(); ++c) {
+    for (std::size_t c = 0; c < std::min(s.studies.size(), s.settled.curves.size()); ++c) {
         if (!s.settled.curves[c].look.visible) {
             continue;
         }
@@ -63,28 +64,25 @@ SnappedMove onCourse(double dx, double dy) {
     }
 }
 
-SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
-                    const PointId& grabbed, const View& view, const Situation& situation) {
-    const PlanePoint start = PointPlaces(situation.settled, view.axes)[grabbed];
-    const PlanePoint wanted{start.x + move.dx, start.y + move.dy};
-    auto to = nearbyPoint(wanted, ids, view, situation);
-    if (!to) {
-        const double step = fineGridStep(situation.viewport.camera, situation.scale);
-        to = PlanePoint{roundedTo(wanted.x, step), roundedTo(wanted.y, step)};
-    }
-    return moveTo(*to, start, move, to);
-}
-
 PlanePoint tidied(PlanePoint place, const Camera& camera) {
     const double step = std::pow(10.0, std::floor(-std::log10(camera.pixelsPerUnit)));
     return {roundedTo(place.x, step), roundedTo(place.y, step)};
 }
 
-SnappedMove tidied(const SnappedMove& move, const PointId& grabbed, const View& view,
-                   const Situation& situation) {
-    const PlanePoint start = PointPlaces(situation.settled, view.axes)[grabbed];
-    const PlanePoint wanted{start.x + move.dx, start.y + move.dy};
-    return moveTo(tidied(wanted, situation.viewport.camera), start, move, std::nullopt);
+SnappedMove steered(double dx, double dy, PlanePoint start, const Modifiers& modifiers,
+                    const std::vector<PointId>& ids, const View& view, const Situation& situation) {
+    const SnappedMove move = modifiers.shift ? onCourse(dx, dy) : SnappedMove{dx, dy};
+    const PlanePoint wanted = move.from(start);
+    const Camera& camera = situation.viewport.camera;
+    if (!modifiers.control) {
+        return moveTo(tidied(wanted, camera), start, move, std::nullopt);
+    }
+    auto to = nearbyPoint(wanted, ids, view, situation);
+    if (!to) {
+        const double step = fineGridStep(camera, situation.scale);
+        to = PlanePoint{roundedTo(wanted.x, step), roundedTo(wanted.y, step)};
+    }
+    return moveTo(*to, start, move, to);
 }
 
 } // namespace splineloft::ui

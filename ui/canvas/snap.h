@@ -12,22 +12,21 @@ struct SnappedMove {
     double dx = 0, dy = 0;
     Course course = Course::free;
     std::optional<PlanePoint> to = std::nullopt;
+
+    PlanePoint from(PlanePoint start) const { return {start.x + dx, start.y + dy}; }
 };
 
 /// The displacement along the nearest of the two axes and the two lines at 45 degrees.
 SnappedMove onCourse(double dx, double dy);
 
-/// The displacement that puts `grabbed` onto the nearest control point not among `ids` within
-/// reach, otherwise onto the nearest fine grid point.
-SnappedMove snapped(const SnappedMove& move, const std::vector<PointId>& ids,
-                    const PointId& grabbed, const View& view, const Situation& situation);
+/// The displacement of something at `start` by (dx, dy), as the keys held bend it. With Shift it
+/// keeps to a course. With Control it ends on the nearest control point not among `ids` within
+/// reach, otherwise on the nearest fine grid point; without, on decimals that one pixel can tell
+/// apart, so that coordinates stay as short as a hand is exact.
+SnappedMove steered(double dx, double dy, PlanePoint start, const Modifiers& modifiers,
+                    const std::vector<PointId>& ids, const View& view, const Situation& situation);
 
-/// The displacement that puts `grabbed` on a decimal that one pixel can tell apart, so that
-/// coordinates stay as short as a hand is exact.
-SnappedMove tidied(const SnappedMove& move, const PointId& grabbed, const View& view,
-                   const Situation& situation);
-
-/// The same for a place.
+/// A place on such decimals.
 PlanePoint tidied(PlanePoint place, const Camera& camera);
 
 } // namespace splineloft::ui

@@ -21,11 +21,9 @@ class ToolMarks {
                                       true});
         }
         if (const auto* drag = std::get_if<DraggingPoints>(&gesture)) {
-            course(*drag);
-            if (drag->snappedTo) {
-                scene_.marks.push_back(
-                    {viewport_.toScreen(*drag->snappedTo), SignShape::diamond, {Role::snap}});
-            }
+            held(drag->held);
+        } else if (const auto* placing = std::get_if<PlacingPoint>(&gesture)) {
+            held(placing->held);
         } else if (const auto* pulling = std::get_if<Transforming>(&gesture);
                    pulling != nullptr && pulling->moved) {
             note(pulling->words, pulling->now);
@@ -76,18 +74,21 @@ class ToolMarks {
     }
 
   private:
-    /// The line that a drag keeps to.
-    void course(const DraggingPoints& drag) {
-        if (drag.course == Course::free) {
-            return;
+    /// The line that a hand keeps to, and what it snapped to.
+    void held(const Held& held) {
+        if (held.course != Course::free) {
+            const ScreenPoint at = viewport_.toScreen(held.through);
+            const double far = viewport_.frame.width + viewport_.frame.height;
+            const double dx = held.course == Course::up ? 0 : far;
+            const double dy = held.course == Course::across    ? 0
+                              : held.course == Course::falling ? far
+                                                               : -far;
+            stroke({{at.x - dx, at.y - dy}, {at.x + dx, at.y + dy}}, {Role::course});
         }
-        const ScreenPoint at = viewport_.toScreen(placeOf(s_.studies, view_.axes, drag.grabbed));
-        const double far = viewport_.frame.width + viewport_.frame.height;
-        const double dx = drag.course == Course::up ? 0 : far;
-        const double dy = drag.course == Course::across    ? 0
-                          : drag.course == Course::falling ? far
-                                                           : -far;
-        stroke({{at.x - dx, at.y - dy}, {at.x + dx, at.y + dy}}, {Role::course});
+        if (held.to) {
+            scene_.marks.push_back(
+                {viewport_.toScreen(*held.to), SignShape::diamond, {Role::snap}});
+        }
     }
 
     void note(const std::string& words, ScreenPoint at) {

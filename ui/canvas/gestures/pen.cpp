@@ -27,7 +27,14 @@ Document withNewCurve(const Document& document, const View& view, PlanePoint at)
     return addCurve(document, std::move(curve));
 }
 
-/// The document with the handles of a point just placed pulled toward the pointer.
+/// A pointer seen from a place, as the keys held bend its way.
+SnappedMove toward(const PointerEvent& event, PlanePoint from, const std::vector<PointId>& ids,
+                   const View& view, const Situation& s) {
+    const PlanePoint at = s.viewport.toPlane(event.at);
+    return steered(at.x - from.x, at.y - from.y, from, event.modifiers, ids, view, s);
+}
+
+/// The document with the handles of a point just placed pulled to a place.
 Document pulled(const PlacingPoint& placing, const View& view, PlanePoint at) {
     const Curve& curve = *placing.placed.curves[placing.point.curve];
     const Point anchor = curve.points.at(placing.point.index);
@@ -46,7 +53,6 @@ Document pulled(const PlacingPoint& placing, const View& view, PlanePoint at) {
 } // namespace
 
 Reaction pressWithPen(const View& view, const PointerEvent& event, const Situation& s) {
-    const PlanePoint at = tidied(s.viewport.toPlane(event.at), s.viewport.camera);
     Reaction reaction = stay(Idle{}, view);
     const bool going = view.tool == Tool::pen && view.activeCurve < s.settled.curves.size() &&
                        !s.settled.curves[view.activeCurve]->closed &&
@@ -59,6 +65,12 @@ Reaction pressWithPen(const View& view, const PointerEvent& event, const Situati
         reaction.view.tool = Tool::select;
         return reaction;
     }
+    const auto points = going ? s.settled.curves[view.activeCurve]->points.size() : 0;
+    const PlanePoint from =
+        points > 0 ? PointPlaces(s.settled, view.axes)[{view.activeCurve, points - 1, Part::point}]
+                   : tidied(s.viewport.toPlane(event.at), s.viewport.camera);
+    const auto move = toward(event, from, {}, view, s);
+    const PlanePoint at = move.from(from);
     Inserted added;
     if (going) {
         const Curve& curve = *s.settled.curves[view.activeCurve];
@@ -71,7 +83,8 @@ Reaction pressWithPen(const View& view, const PointerEvent& event, const Situati
     reaction.view.selection = {added.point};
     reaction.view.tool = Tool::pen;
     reaction.edit = Edit{added.document, Phase::preview, ""};
-    reaction.gesture = PlacingPoint{added.point, std::move(added.document), event.at};
+    reaction.gesture =
+        PlacingPoint{added.point, std::move(added.document), event.at, {move.course, at, move.to}};
     return reaction;
 }
 
@@ -80,14 +93,20 @@ Reaction step(const PlacingPoint& placing, const View& view, const PointerEvent&
     if (givesUp(event)) {
         return {Idle{}, view, Edit{s.settled, Phase::cancel, ""}};
     }
-    Document next = beyondClick(placing.from, event.at, s)
-                        ? pulled(placing, view, s.viewport.toPlane(event.at))
-                        : placing.placed;
+    PlacingPoint going = placing;
+    Document next = placing.placed;
+    if (beyondClick(placing.from, event.at, s)) {
+        const PlanePoint anchor = PointPlaces(placing.placed, view.axes)[placing.point];
+        const auto move = toward(event, anchor, {placing.point}, view, s);
+        const PlanePoint at = move.from(anchor);
+        next = pulled(placing, view, at);
+        going.held = {move.course, at, move.to};
+    }
     if (letsGo(event)) {
         const auto label = "Add " + nameOf(next, {placing.point});
         return {Idle{}, view, Edit{std::move(next), Phase::commit, label}};
     }
-    return {placing, view, Edit{std::move(next), Phase::preview, ""}};
+    return {going, view, Edit{std::move(next), Phase::preview, ""}};
 }
 
 } // namespace splineloft::ui

@@ -10,14 +10,16 @@
 namespace splineloft::ui {
 namespace {
 
+PlanePoint startOf(const DraggingPoints& drag, const View& view, const Situation& s) {
+    return PointPlaces(s.settled, view.axes)[drag.grabbed];
+}
+
 /// The whole displacement of a drag, from where it began: nothing adds up.
 SnappedMove moveOf(const DraggingPoints& drag, const View& view, const PointerEvent& event,
                    const Situation& s) {
     const double dx = s.viewport.toPlane(event.at.x - drag.from.x);
     const double dy = -s.viewport.toPlane(event.at.y - drag.from.y);
-    const SnappedMove move = event.modifiers.shift ? onCourse(dx, dy) : SnappedMove{dx, dy};
-    return event.modifiers.control ? snapped(move, drag.ids, drag.grabbed, view, s)
-                                   : tidied(move, drag.grabbed, view, s);
+    return steered(dx, dy, startOf(drag, view, s), event.modifiers, drag.ids, view, s);
 }
 
 Document dragged(const DraggingPoints& drag, const SnappedMove& move, const View& view,
@@ -52,8 +54,7 @@ Reaction step(const DraggingPoints& drag, const View& view, const PointerEvent& 
         return stay(next, view);
     }
     const auto move = moveOf(drag, view, event, s);
-    next.course = move.course;
-    next.snappedTo = move.to;
+    next.held = {move.course, move.from(startOf(drag, view, s)), move.to};
     return {next, view, Edit{dragged(drag, move, view, s), Phase::preview, ""}};
 }
 
