@@ -79,20 +79,29 @@ class Screen:
         os.close(writing)
         with os.fdopen(reading) as pipe:
             if not select.select([pipe], [], [], PATIENCE)[0]:
-                self.close()
+                self._server.kill()
+                self._server.wait()
                 raise AssertionError("Xvfb did not start")
             # The whole line must be read: Xvfb dies of a pipe that is closed before its end.
             self.display = ":" + pipe.readline().strip()
         self.environment = {**os.environ, **own_places(home), "DISPLAY": self.display,
                             "SPLINELOFT_DIALOG": "own"}
         self.environment.pop("WAYLAND_DISPLAY", None)
+        self._manager = None
         if dpi is not None:
             subprocess.run(["xrdb", "-merge"], input=f"Xft.dpi: {dpi}\n", text=True, check=True,
                            env=self.environment, timeout=PATIENCE)
 
     def close(self):
+        if self._manager:
+            self._manager.close()
         self._server.terminate()
         self._server.wait()
+
+    @property
+    def manager(self):
+        self._manager = self._manager or WindowManager(self.display)
+        return self._manager
 
     def hands(self, *arguments):
         """One run of xdotool."""
@@ -103,29 +112,74 @@ class Screen:
         return done.stdout.strip()
 
 
-def ask_to_close(display, window):
-    """Does what the cross in a title bar does: sends WM_DELETE_WINDOW, which xdotool cannot."""
-    x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
-    x11.XOpenDisplay.restype = ctypes.c_void_p
-    x11.XInternAtom.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int]
-    x11.XInternAtom.restype = ctypes.c_ulong
-    x11.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long,
-                               ctypes.c_void_p]
-    x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+class ClientMessage(ctypes.Structure):
+    """A message from one X client to another, as large as the union XEvent."""
 
-    class ClientMessage(ctypes.Structure):
-        _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong),
-                    ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
-                    ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong),
-                    ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
-                    ("rest", ctypes.c_long * 24)]  # as large as the union XEvent
+    TYPE = 33
 
-    connection = x11.XOpenDisplay(display.encode())
-    event = ClientMessage(type=33, window=window, format=32)  # 33: ClientMessage
-    event.message_type = x11.XInternAtom(connection, b"WM_PROTOCOLS", 0)
-    event.data[0] = x11.XInternAtom(connection, b"WM_DELETE_WINDOW", 0)
-    x11.XSendEvent(connection, window, 0, 0, ctypes.byref(event))
-    x11.XCloseDisplay(connection)
+    _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+                ("display", ctypes.c_void_p), ("window", ctypes.c_ulong),
+                ("message_type", ctypes.c_ulong), ("format", ctypes.c_int),
+                ("data", ctypes.c_long * 5), ("rest", ctypes.c_long * 24)]
+
+
+class WindowManager:
+    """What a window manager says to a window, which xdotool cannot."""
+
+    _SUBSTRUCTURE_NOTIFY = 1 << 19  # who selects it on the root window hears the answers
+
+    def __init__(self, display):
+        self._x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
+        pointer, number, whole = ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int
+        for name, result, *arguments in (
+                ("XOpenDisplay", pointer, ctypes.c_char_p),
+                ("XDefaultRootWindow", number, pointer),
+                ("XInternAtom", number, pointer, ctypes.c_char_p, whole),
+                ("XSelectInput", whole, pointer, number, ctypes.c_long),
+                ("XSendEvent", whole, pointer, number, whole, ctypes.c_long, pointer),
+                ("XFlush", whole, pointer), ("XPending", whole, pointer),
+                ("XNextEvent", whole, pointer, pointer), ("XCloseDisplay", whole, pointer)):
+            function = getattr(self._x11, name)
+            function.restype, function.argtypes = result, arguments
+        # By itself Xlib ends the whole script where a window is gone.
+        self._forgive = ctypes.CFUNCTYPE(whole, pointer, pointer)(lambda display, fault: 0)
+        self._x11.XSetErrorHandler(self._forgive)
+        self._connection = self._x11.XOpenDisplay(display.encode())
+        self._root = self._x11.XDefaultRootWindow(self._connection)
+        self._x11.XSelectInput(self._connection, self._root, self._SUBSTRUCTURE_NOTIFY)
+        self._pings = 0
+
+    def close(self):
+        self._x11.XCloseDisplay(self._connection)
+
+    def _atom(self, name):
+        return self._x11.XInternAtom(self._connection, name, 0)
+
+    def _send(self, window, *data):
+        event = ClientMessage(type=ClientMessage.TYPE, window=window, format=32)
+        event.message_type = self._atom(b"WM_PROTOCOLS")
+        event.data[:len(data)] = data
+        self._x11.XSendEvent(self._connection, window, 0, 0, ctypes.byref(event))
+        self._x11.XFlush(self._connection)
+
+    def ask_to_close(self, window):
+        """Does what the cross in a title bar does."""
+        self._send(window, self._atom(b"WM_DELETE_WINDOW"))
+
+    def ping(self, window):
+        """Asks a window whether it is there; returns the question, for `heard`."""
+        self._pings += 1
+        self._send(window, self._atom(b"_NET_WM_PING"), self._pings, window)
+        return self._pings
+
+    def heard(self, question):
+        """Whether the answer is among the news since the last call."""
+        event = ClientMessage()
+        found = False
+        while self._x11.XPending(self._connection):
+            self._x11.XNextEvent(self._connection, ctypes.byref(event))
+            found |= event.type == ClientMessage.TYPE and event.data[1] == question
+        return found
 
 
 class Editor:
@@ -133,24 +187,31 @@ class Editor:
 
     def __init__(self, program, screen, *files, cwd=None, scale=1):
         self.screen, self.scale = screen, scale
+        self._errors = tempfile.TemporaryFile()  # a pipe could become full
         self.process = subprocess.Popen([program, *map(str, files)], env=screen.environment,
-                                        cwd=cwd, stderr=subprocess.PIPE, text=True)
+                                        cwd=cwd, stderr=self._errors)
         self.window = eventually(self._find_window, "the window opens")
         self.settle()
 
     def _find_window(self):
         if self.process.poll() is not None:
-            raise AssertionError("the program ended: " + self.process.stderr.read())
+            raise AssertionError("the program ended: " + self.complaints)
         found = self.screen.hands("search", "--onlyvisible", "--name", "Splineloft")
         return int(found.split()[0]) if found else None
 
     def close(self):
         if self.process.poll() is None:
             self.process.kill()
-        if not self.process.stderr.closed:
-            self.process.communicate()
+        self.process.wait()
+        self._errors.close()
 
     # --- what can be seen from outside
+
+    @property
+    def complaints(self):
+        """What it has written to its standard error so far."""
+        errors = self._errors.fileno()
+        return os.pread(errors, os.fstat(errors).st_size, 0).decode(errors="replace")
 
     @property
     def title(self):
@@ -172,10 +233,17 @@ class Editor:
         fields = text.rsplit(")", 1)[1].split()
         return int(fields[11]) + int(fields[12])
 
+    def _status(self):
+        text = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return dict(line.split(":\t", 1) for line in text.splitlines())
+
+    def resident(self):
+        """Kilobytes of memory that are its own at this moment."""
+        return int(self._status()["VmRSS"].split()[0])
+
     def _sleep(self):
         """How often its main thread has gone to sleep so far; None if it is awake."""
-        text = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
-        facts = dict(line.split(":\t", 1) for line in text.splitlines())
+        facts = self._status()
         return facts["voluntary_ctxt_switches"] if facts["State"][0] == "S" else None
 
     def settle(self):
@@ -186,6 +254,14 @@ class Editor:
             ended = self.process.poll() is not None
             return ended or (before and before == self._sleep())
         eventually(asleep, "the program comes to rest")
+
+    def answer(self):
+        """Waits until the program has taken all that was done to it so far, even if it is busy
+        with something that does not end, such as playing. Or has ended."""
+        manager = self.screen.manager
+        question = manager.ping(self.window)
+        eventually(lambda: manager.heard(question) or self.process.poll() is not None,
+                   "the program answers")
 
     def ended(self):
         """Waits for the program to end by itself; its exit status."""
@@ -258,7 +334,7 @@ class Editor:
         return json.loads(pathlib.Path(path).read_text())
 
     def ask_to_close(self):
-        ask_to_close(self.screen.display, self.window)
+        self.screen.manager.ask_to_close(self.window)
         self.settle()
 
 
@@ -291,13 +367,18 @@ class DeskTest(unittest.TestCase):
         return done.stdout
 
 
-def main(tools):
-    """Runs the tests of the calling script: SCRIPT PROGRAM [TEST...]. Without the tools they need
-    they are skipped, except in continuous integration, where that is a failure."""
+def require(tools):
+    """Ends the script where tools are missing: as skipped, except in continuous integration, where
+    that is a failure."""
     missing = [tool for tool in tools if shutil.which(tool) is None]
     if missing:
         verdict = "FAILED" if os.environ.get("CI") == "true" else "SKIPPED"
         print(f"{verdict}: not installed: {', '.join(missing)}", file=sys.stderr)
         sys.exit(1 if verdict == "FAILED" else 77)
+
+
+def main(tools):
+    """Runs the tests of the calling script, which need these tools: SCRIPT PROGRAM [TEST...]"""
+    require(tools)
     DeskTest.program = str(pathlib.Path(sys.argv.pop(1)).resolve())
     unittest.main(verbosity=2)
