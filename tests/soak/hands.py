@@ -8,7 +8,8 @@ usual size. Fonts for another size, or a buffer for many strokes, may still be t
 what counts is the floor to which memory comes back: what never goes raises it. The least of the
 third quarter against the least of the fourth is what it grew, all in one process, which is why
 quitting on purpose is left to the first quarter. Should the monkey find Quit in a menu later, the
-quarters are those of the process that lived longest.
+quarters are those of the process that lived longest. Of a sanitized program memory is told but not
+judged: AddressSanitizer's own heap comes and goes by several percent.
 
 The folder in which all files land lies so deep that clicking on ".." does not lead out of it.
 
@@ -92,6 +93,7 @@ class Place:
         self.home.mkdir()
         self.work.mkdir(parents=True)
         self.judged = 0
+        self.sanitized = b"__asan_init" in pathlib.Path(program).read_bytes()
         self.tidy()
         self.screen = desk.Screen(self.home, LARGEST)
         for name, value in ENVIRONMENT.items():
@@ -378,10 +380,12 @@ def verdict(soak):
     grew = False
     if found:
         growth = found[3] / found[2] - 1
-        grew = growth >= MOST_GROWTH and soak.actions >= ENOUGH
+        judged = soak.actions >= ENOUGH and not soak.place.sanitized
+        grew = judged and growth >= MOST_GROWTH
         quarters = ", ".join(f"{kilobytes / 1024:.1f}" for kilobytes in found)
         print(f"memory with an empty document, least in each quarter: {quarters} MB; "
-              f"in the last half {100 * growth:+.2f} % (goal: below {100 * MOST_GROWTH:g} %)")
+              f"in the last half {100 * growth:+.2f} % "
+              + (f"(goal: below {100 * MOST_GROWTH:g} %)" if judged else "(not judged)"))
     else:
         print("memory: too short to tell")
     print(f"{soak.done} actions: {soak.account()}")
