@@ -251,28 +251,44 @@ std::string brokenAtSpaces(const std::string& text, float width) {
     return broken;
 }
 
+/// Whether a letter goes on at this byte of UTF-8.
+static bool isWithinLetter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+}
+
+static bool fits(const std::string& text, float width) {
+    return ImGui::CalcTextSize(text.c_str()).x <= width;
+}
+
 std::string cutToFit(const std::string& text, float width) {
-    const auto fits = [width](const std::string& part) {
-        return ImGui::CalcTextSize(part.c_str()).x <= width;
-    };
     std::string cut = text;
     constexpr std::string_view between = " · ";
-    for (auto end = cut.rfind(between); !fits(cut) && end != cut.npos; end = cut.rfind(between)) {
+    for (auto end = cut.rfind(between); !fits(cut, width) && end != cut.npos;
+         end = cut.rfind(between)) {
         cut.erase(end);
     }
-    if (fits(cut)) {
+    if (fits(cut, width)) {
         return cut;
     }
-    const auto endsInLetter = [&cut] {
-        return (static_cast<unsigned char>(cut.back()) & 0xc0U) == 0x80U;
-    };
-    while (!cut.empty() && !fits(cut + "…")) {
-        while (cut.size() > 1 && endsInLetter()) {
+    while (!cut.empty() && !fits(cut + "…", width)) {
+        while (cut.size() > 1 && isWithinLetter(cut.back())) {
             cut.pop_back();
         }
         cut.pop_back();
     }
     return cut + "…";
+}
+
+std::string endThatFits(const std::string& text, float width) {
+    if (fits(text, width)) {
+        return text;
+    }
+    std::size_t from = 0;
+    while (from < text.size() &&
+           (isWithinLetter(text[from]) || !fits("…" + text.substr(from), width))) {
+        ++from;
+    }
+    return "…" + text.substr(from);
 }
 
 void quietText(const std::string& text, const Stage& stage) {

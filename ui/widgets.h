@@ -66,6 +66,10 @@ std::string brokenAtSpaces(const std::string& text, float width);
 /// else with "…" at the end.
 std::string cutToFit(const std::string& text, float width);
 
+/// As much of the end of a text as fits, for the font in use, with "…" before it where some is
+/// gone: of a path one wants to see where it leads.
+std::string endThatFits(const std::string& text, float width);
+
 /// Small quiet text, wrapped.
 void quietText(const std::string& text, const Stage& stage);
 

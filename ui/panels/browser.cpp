@@ -115,7 +115,7 @@ void drawSampleChoice(FileBrowser& browser, const Stage& window) {
 
 std::optional<Request> drawBrowser(FileBrowser& browser, std::span<const RecentFile> recent,
                                    const Stage& window) {
-    ImGui::TextDisabled("%s", browser.folder.string().c_str());
+    ImGui::TextDisabled("%s", endThatFits(browser.folder.string(), window.px(560)).c_str());
     const bool opens = browser.purpose == FilePurpose::open;
     auto request = drawList(browser, opens ? recent : std::span<const RecentFile>(), window);
     ImGui::SetNextItemWidth(window.px(560));

@@ -3,6 +3,7 @@
 #include "ui/panels/key_list.h"
 #include "ui/panels/palette.h"
 #include "ui/panels/panels.h"
+#include "ui/widgets.h"
 
 #include <imgui.h>
 
@@ -11,7 +12,8 @@ namespace {
 
 void question(Session& session, const UnsavedQuestion& asked, const Stage& window) {
     const auto departure = asked.departure;
-    ImGui::Text("“%s” has changes that are in no file.", session.fileName().c_str());
+    const auto name = cutToFit(session.fileName(), window.px(260));
+    ImGui::Text("“%s” has changes that are in no file.", name.c_str());
     ImGui::TextDisabled("They are lost if you go on without saving.");
     ImGui::Spacing();
     const ImVec2 size{window.px(128), 0};
