@@ -8,7 +8,8 @@ namespace splineloft::ui {
 namespace {
 
 constexpr double usualUnit = 80;                 // design pixels, where there is nothing to fit
-constexpr double fitMargin = 72;                 // design pixels around what is fitted
+constexpr double fitMargin = 72;                 // design pixels around what is fitted, ...
+constexpr double mostMargin = 0.15;              // ... but no more of the canvas' shorter side
 constexpr std::size_t mostPiecesLooked = 10'000; // more of them bulge nowhere far
 
 /// The box around all of a curve, what bulges beyond its points included.
@@ -52,10 +53,13 @@ void fitIfAsked(Session& session) {
             box.include(boundsOf(session.studies[i].inPlane(view.axes)));
         }
     }
+    const double margin =
+        std::min(fitMargin * session.scale,
+                 mostMargin * std::min(session.canvas.width, session.canvas.height));
     const PlanePoint low{box.left, box.bottom};
     const PlanePoint high{box.right, box.top};
     view.camera = !box.empty() && !(low == high)
-                      ? fitted(low, high, session.canvas, fitMargin * session.scale)
+                      ? fitted(low, high, session.canvas, margin)
                       : Camera{box.empty() ? PlanePoint{} : low, usualUnit * session.scale};
 }
 
