@@ -19,6 +19,10 @@ std::string spelled(std::string_view value) {
 
 } // namespace
 
+std::string asSaved(std::string_view text) {
+    return nlohmann::json::parse(spelled(text)).get<std::string>();
+}
+
 /// The comma and the space or line break that separate a value, or a key, from what precedes it.
 void JsonText::beforeValue(bool isContainer) {
     if (afterKey_) {

@@ -17,6 +17,9 @@ enum class Flow {
     asFirst  ///< stacked if the first entry is an object or array, otherwise in line
 };
 
+/// A text as it will be read again once it is written: what is not UTF-8 becomes U+FFFD.
+std::string asSaved(std::string_view text);
+
 /// Builds JSON text from the outside in. Every begin needs its end; an object's values each need
 /// their key first. Strings are taken for UTF-8; what is not becomes U+FFFD.
 class JsonText {

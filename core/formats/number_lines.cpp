@@ -1,6 +1,7 @@
 #include "core/formats/number_lines.h"
 
 #include "core/formats/document_json.h"
+#include "core/formats/json_text.h"
 #include "core/formats/numbers.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ class Table {
 
     std::optional<Refusal> takeNames(const std::vector<Cell>& cells) {
         for (const auto& cell : cells) {
-            names_.emplace_back(cell.text);
+            names_.push_back(asSaved(cell.text)); // two may be alike only then
         }
         return std::nullopt;
     }

@@ -165,6 +165,16 @@ TEST(Paste, refusesNulCharacters) {
     EXPECT_EQ(result.refusal().place, "byte 3");
 }
 
+/// Found by a fuzzer: two names that differ in what is no UTF-8 are one name in the file.
+TEST(Paste, namesCoordinatesItselfWhereTheirNamesWouldBeAlike) {
+    const auto result = pasted("\xdf\t\xb2\n3\t4\n");
+    ASSERT_TRUE(result) << result.refusal().message();
+    EXPECT_EQ(result->curves[0]->coordinates, (std::vector<std::string>{"x", "y"}));
+    const auto repaired = pasted("a\xdf\tb\n3\t4\n");
+    ASSERT_TRUE(repaired);
+    EXPECT_EQ(repaired->curves[0]->coordinates[0], "a\uFFFD");
+}
+
 TEST(Paste, refusesLinesAtLineAndColumn) {
     expectRefused("1,2\n3,4,5\n", "2:1", "3 numbers");
     expectRefused("1,2\n3,four\n", "2:3", "\"four\"");
