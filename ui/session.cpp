@@ -230,7 +230,7 @@ void Session::tidy() {
         const auto& list = id.part == Part::tangent ? entry->tangents : entry->points;
         return id.index >= list.size() || !entry.look.isTouchable();
     };
-    std::erase_if(view.selection, gone);
+    view.selection.eraseIf(gone);
     if (view.hovered && gone(*view.hovered)) {
         view.hovered.reset();
     }

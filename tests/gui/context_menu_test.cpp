@@ -38,7 +38,7 @@ TEST_F(ContextMenuTest, overAPointSelectsItFirst) {
     rightClick(driver.atPoint(3));
     ASSERT_TRUE(driver.session.contextMenu);
     EXPECT_EQ(driver.session.contextMenu->context, Context::point);
-    EXPECT_EQ(driver.session.view.selection, (std::set<PointId>{{0, 3}}));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{0, 3}}));
     driver.click(entry("Delete points"));
     EXPECT_EQ(driver.curve().points.size(), 6U);
     EXPECT_FALSE(driver.session.contextMenu);
@@ -63,7 +63,7 @@ TEST_F(ContextMenuTest, overACurveInsertsWhereItWasClicked) {
     ASSERT_EQ(driver.curve().points.size(), 8U);
     EXPECT_NEAR(driver.curve().points.at(3)[0], place.x, 0.02);
     EXPECT_NEAR(driver.curve().points.at(3)[1], place.y, 0.02);
-    EXPECT_EQ(driver.session.view.selection, (std::set<PointId>{{0, 3}}));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{0, 3}}));
 }
 
 TEST_F(ContextMenuTest, overNothingOffersWhatConcernsTheWholeCanvas) {
@@ -85,7 +85,7 @@ TEST_F(ContextMenuTest, theOtherCurveUnderThePointerBecomesTheActiveOne) {
     const PlanePoint place = controlPlaces(other, {})[2];
     rightClick(driver.at(place));
     EXPECT_EQ(driver.session.view.activeCurve, 1U);
-    EXPECT_EQ(driver.session.view.selection, (std::set<PointId>{{1, 2}}));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{1, 2}}));
 }
 
 TEST_F(ContextMenuTest, inMidDragTheRightButtonRestoresAndOpensNothing) {

@@ -207,7 +207,7 @@ TEST_F(CurveListTest, draggingARowReorders) {
     driver.drag(from, to);
     EXPECT_EQ(names(), "bca");
     EXPECT_EQ(driver.session.view.activeCurve, 2U) << "the same curve is active";
-    EXPECT_EQ(driver.session.view.selection, (std::set<PointId>{{2, 2}, {0, 1}}));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{2, 2}, {0, 1}}));
     EXPECT_EQ(driver.steps(), 1);
     driver.key(Key::z, withControl);
     EXPECT_EQ(names(), "abc");

@@ -169,7 +169,7 @@ TEST(Files, aFileDroppedOnADialogTakesItsPlaceAndTheCanvasIsFreeAgain) {
     driver.key(Key::k);
     EXPECT_TRUE(driver.session.view.layers.comb) << "and keys are shortcuts again";
     driver.click(driver.atPoint(2));
-    EXPECT_EQ(driver.session.view.selection, (std::set<PointId>{{0, 2}}));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{0, 2}}));
 }
 
 TEST(Files, savingUnderAKnownNameAsksNothing) {

@@ -97,7 +97,7 @@ TEST(DragGesture, givingUpRestoresToTheLastBit) {
         hand.release({-2, 2}); // the release that comes after all
         EXPECT_EQ(hand.curve(), crooked) << way;
         EXPECT_EQ(hand.steps(), 0) << way;
-        EXPECT_EQ(hand.session.view.selection, (std::set<PointId>{{0, 3}}))
+        EXPECT_EQ(hand.session.view.selection, (Selection{{0, 3}}))
             << way << ": the point stays selected";
     }
 }

@@ -60,14 +60,14 @@ TEST(Hands, tabGoesThroughThePoints) {
     Hand hand(documentOf({curveOf("cardinal")}));
     const auto selected = [&] { return hand.session.view.selection; };
     hand.key(Key::tab);
-    EXPECT_EQ(selected(), (std::set<PointId>{{0, 0}}));
+    EXPECT_EQ(selected(), (Selection{{0, 0}}));
     hand.key(Key::tab);
-    EXPECT_EQ(selected(), (std::set<PointId>{{0, 1}}));
+    EXPECT_EQ(selected(), (Selection{{0, 1}}));
     hand.key(Key::tab, withShift);
     hand.key(Key::tab, withShift);
-    EXPECT_EQ(selected(), (std::set<PointId>{{0, 6}})) << "around the end";
+    EXPECT_EQ(selected(), (Selection{{0, 6}})) << "around the end";
     hand.key(Key::tab);
-    EXPECT_EQ(selected(), (std::set<PointId>{{0, 0}}));
+    EXPECT_EQ(selected(), (Selection{{0, 0}}));
 }
 
 TEST(Hands, shiftKeeps45Degrees) {
@@ -93,7 +93,7 @@ TEST(Hands, altClickTakesThePointBelow) {
     stacked.points.set(5, stacked.points.at(2));
     Hand hand(documentOf({stacked}));
     const PlanePoint at = hand.place(2);
-    std::set<PointId> seen;
+    Selection seen;
     hand.click(at);
     seen.insert(*hand.session.view.selection.begin());
     for (int i = 0; i < 2; ++i) {
@@ -101,7 +101,7 @@ TEST(Hands, altClickTakesThePointBelow) {
         ASSERT_EQ(hand.session.view.selection.size(), 1U);
         seen.insert(*hand.session.view.selection.begin());
     }
-    EXPECT_EQ(seen, (std::set<PointId>{{0, 2}, {0, 4}, {0, 5}}));
+    EXPECT_EQ(seen, (Selection{{0, 2}, {0, 4}, {0, 5}}));
     const std::size_t held = hand.session.view.selection.begin()->index;
     hand.drag(at, {at.x + 1, at.y});
     EXPECT_NE(hand.place(held), at) << "the selected one is dragged";

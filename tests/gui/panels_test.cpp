@@ -213,11 +213,11 @@ TEST(Panels, aNumberThatIsOnlyLookedAtStaysAsItIs) {
 TEST(Panels, theRowsSelect) {
     Driver driver(documentOf({curveOf("cardinal")}));
     driver.click(pointRow(4));
-    EXPECT_EQ(driver.session.view.selection, (std::set<PointId>{{0, 4}}));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{0, 4}}));
     driver.hold(Key::leftShift);
     driver.click(pointRow(1));
     driver.letGo(Key::leftShift);
-    EXPECT_EQ(driver.session.view.selection, (std::set<PointId>{{0, 1}, {0, 4}}));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{0, 1}, {0, 4}}));
 }
 
 TEST(Panels, theEndsAreChosenByButtons) {

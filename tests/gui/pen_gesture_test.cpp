@@ -26,7 +26,7 @@ TEST(PenGesture, addsAtTheEndOfTheActiveCurve) {
         ASSERT_EQ(hand.curve().points.size(), 8U) << family.id;
         EXPECT_EQ(hand.curve().points.at(7), (Point{-1.25, 2.75})) << family.id;
         EXPECT_EQ(hand.steps(), 1) << family.id;
-        EXPECT_EQ(hand.session.view.selection, (std::set<PointId>{{0, 7}})) << family.id;
+        EXPECT_EQ(hand.session.view.selection, (Selection{{0, 7}})) << family.id;
         EXPECT_EQ(hand.session.history.undoLabel(), "Add P₇") << family.id;
         EXPECT_FALSE(problemOf(hand.session.document())) << family.id;
     }

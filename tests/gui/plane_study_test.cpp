@@ -160,7 +160,7 @@ TEST(PlaneStudies, findPointsInRectangles) {
     for (int k = 0; k < 50; ++k) {
         const ScreenRect rect{dice.between(0, 700), dice.between(0, 500), dice.between(1, 400),
                               dice.between(1, 400)};
-        std::set<PointId> wanted;
+        Selection wanted;
         for (std::size_t c = 0; c < document.curves.size(); ++c) {
             const auto places = controlPlaces(*document.curves[c], {});
             for (std::size_t i = 0; i < places.size(); ++i) {

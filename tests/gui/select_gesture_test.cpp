@@ -6,8 +6,6 @@
 namespace splineloft::ui {
 namespace {
 
-using Selection = std::set<PointId>;
-
 constexpr PlanePoint nowhere{-0.5, -2.9};
 
 Hand handOnCardinal() {

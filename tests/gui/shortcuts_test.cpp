@@ -21,13 +21,11 @@ std::list<Session> situations() {
     for (const auto& document : {Document{}, documentOf({curveOf("bezier-spline")}),
                                  documentOf({curveOf("hermite", true)}),
                                  documentOf({curveOf("linear"), curveOf("natural")})}) {
-        for (const auto& selection :
-             {std::set<PointId>{}, std::set<PointId>{{0, 0}}, std::set<PointId>{{0, 0}, {0, 6}}}) {
+        for (const auto& selection : {Selection{}, Selection{{0, 0}}, Selection{{0, 0}, {0, 6}}}) {
             for (const auto tool : {Tool::select, Tool::pen}) {
                 for (const bool playing : {false, true}) {
                     Session session(document);
-                    session.view.selection =
-                        document.curves.empty() ? std::set<PointId>{} : selection;
+                    session.view.selection = document.curves.empty() ? Selection{} : selection;
                     session.view.tool = tool;
                     session.view.playing = playing;
                     all.push_back(std::move(session));

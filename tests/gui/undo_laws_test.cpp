@@ -111,8 +111,7 @@ class Sitting {
     void drag() {
         last_ = "drag";
         choosePoints();
-        const std::vector<PointId> ids(session_.view.selection.begin(),
-                                       session_.view.selection.end());
+        const auto ids = session_.view.selection.ids();
         const Document before = session_.document();
         for (const auto phase : {Phase::preview, Phase::preview, Phase::preview,
                                  chance_.oneIn(3) ? Phase::cancel : Phase::commit}) {

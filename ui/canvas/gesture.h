@@ -49,7 +49,7 @@ struct DraggingPoints {
 /// A rubber band; `kept` stays selected.
 struct Boxing {
     ScreenPoint from, now;
-    std::set<PointId> kept;
+    Selection kept;
 };
 
 struct Panning {

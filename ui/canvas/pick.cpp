@@ -92,9 +92,9 @@ std::vector<PointId> pointsUnder(const Document& document, const Studies& studie
     return under;
 }
 
-std::set<PointId> pointsInside(const Document& document, const Studies& studies, const View& view,
-                               const Viewport& viewport, const ScreenRect& rect) {
-    std::set<PointId> inside;
+Selection pointsInside(const Document& document, const Studies& studies, const View& view,
+                       const Viewport& viewport, const ScreenRect& rect) {
+    std::vector<PointId> inside;
     for (std::size_t c = 0; c < studies.size(); ++c) {
         if (!document.curves[c].look.isTouchable()) {
             continue;
@@ -102,11 +102,11 @@ std::set<PointId> pointsInside(const Document& document, const Studies& studies,
         studies[c].inPlane(view.axes).points().forEachNear(
             viewport.boxUnder(rect), [&](std::size_t i, PlanePoint place) {
                 if (rect.contains(viewport.toScreen(place))) {
-                    inside.insert(inside.end(), {c, i, Part::point});
+                    inside.push_back({c, i, Part::point});
                 }
             });
     }
-    return inside;
+    return Selection(std::move(inside));
 }
 
 } // namespace splineloft::ui

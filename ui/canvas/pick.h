@@ -36,7 +36,7 @@ std::vector<PointId> pointsUnder(const Document& document, const Studies& studie
                                  const Viewport& viewport, ScreenPoint at, double scale);
 
 /// All control points (not tangents) inside a rectangle, of the curves that hands may touch.
-std::set<PointId> pointsInside(const Document& document, const Studies& studies, const View& view,
-                               const Viewport& viewport, const ScreenRect& rect);
+Selection pointsInside(const Document& document, const Studies& studies, const View& view,
+                       const Viewport& viewport, const ScreenRect& rect);
 
 } // namespace splineloft::ui

@@ -4,11 +4,11 @@
 
 #include "core/document/document.h"
 #include "core/spline/measure/sample.h"
+#include "ui/canvas/selection.h"
 #include "ui/drawing.h"
 
 #include <array>
 #include <optional>
-#include <set>
 #include <string_view>
 
 namespace splineloft::ui {
@@ -89,7 +89,7 @@ struct View {
 
     std::size_t activeCurve = 0;
     std::optional<Renaming> renaming;
-    std::set<PointId> selection;
+    Selection selection;
     std::optional<PointId> hovered;
     std::optional<Spot> ghost; ///< where a double click on the active curve would insert
     std::optional<Grip> hoveredGrip;

@@ -100,7 +100,7 @@ void addCopies(Session& session, const std::vector<CurveEntry>& copies, const st
     if (session.document().curves.size() > first) {
         session.view.activeCurve = first;
         session.view.cursor = {};
-        session.view.selection = {ids.begin(), ids.end()};
+        session.view.selection = Selection(ids);
     }
 }
 

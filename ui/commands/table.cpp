@@ -42,7 +42,7 @@ bool hasSelection(const Session& session) {
 }
 
 std::vector<PointId> selected(const Session& session) {
-    return {session.view.selection.begin(), session.view.selection.end()};
+    return session.view.selection.ids();
 }
 
 std::span<const Command> commands() {

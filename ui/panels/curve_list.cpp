@@ -234,12 +234,11 @@ class CurveList {
     void move(std::size_t from, std::size_t to) {
         commit(moveCurve(settled(), from, to), "Reorder", from);
         view_.activeCurve = movedIndex(view_.activeCurve, from, to);
-        std::set<PointId> selection;
-        for (PointId id : view_.selection) {
+        auto ids = view_.selection.ids();
+        for (PointId& id : ids) {
             id.curve = movedIndex(id.curve, from, to);
-            selection.insert(id);
         }
-        view_.selection = std::move(selection);
+        view_.selection = Selection(std::move(ids));
     }
 
     /// A sign to be clicked, quiet until the pointer is there.

@@ -61,7 +61,7 @@ std::optional<Edit> drawSelection(const Session& session, const View& view, cons
         return std::nullopt;
     }
     std::optional<Edit> edit;
-    const std::vector<PointId> ids(view.selection.begin(), view.selection.end());
+    const auto& ids = view.selection.ids();
     quietText("Selection: " + nameOf(settled, ids) + ", about their middle", stage);
     const float half = ImGui::GetContentRegionAvail().x / 2;
     int column = 0;

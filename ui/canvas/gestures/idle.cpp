@@ -11,10 +11,6 @@
 namespace splineloft::ui {
 namespace {
 
-std::vector<PointId> listed(const std::set<PointId>& ids) {
-    return {ids.begin(), ids.end()};
-}
-
 std::optional<Stem> stemUnder(const View& view, const PointerEvent& event, const Situation& s) {
     return stemAt(stemsOf(s.live, view, s.viewport, s.scale), event.at, s.scale);
 }
@@ -65,8 +61,8 @@ Reaction pressPoint(const View& view, const PointerEvent& event, const PointId& 
         selection.clear();
     }
     selection.insert(id);
-    reaction.gesture = DraggingPoints{listed(selection), id, event.at, false,
-                                      wasSelected && !event.modifiers.shift};
+    reaction.gesture =
+        DraggingPoints{selection.ids(), id, event.at, false, wasSelected && !event.modifiers.shift};
     return reaction;
 }
 

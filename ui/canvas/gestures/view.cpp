@@ -16,7 +16,7 @@ Reaction step(const Boxing& box, const View& view, const PointerEvent& event, co
     Reaction reaction = stay(next, view);
     reaction.view.selection = box.kept;
     if (beyondClick(box.from, event.at, s)) {
-        reaction.view.selection.merge(
+        reaction.view.selection.insert(
             pointsInside(s.live, s.studies, view, s.viewport, spanned(box.from, event.at)));
     }
     if (letsGo(event)) {
