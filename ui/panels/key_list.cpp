@@ -30,19 +30,22 @@ struct Group {
 };
 
 Group mouseGroup() {
-    return {"Mouse",
-            {{"Click", "select a point"},
-             {"Shift+click", "add it to the selection or take it away"},
-             {"Alt+click", "select the point beneath it"},
-             {"Drag a point", "move the selection: Shift keeps the axis or 45°, Ctrl snaps"},
-             {"Drag on nothing", "select the points in a box"},
-             {"Drag the curve", "slide u"},
-             {"Double-click", "on a point: type in its numbers; on the curve: insert a point there "
-                              "(also Ctrl+click)"},
-             {"Right click", "what can be done there; in mid-drag: restore"},
-             {"Wheel", "zoom at the pointer"},
-             {"Middle-drag", "move the view (also with Space held down)"},
-             {"Double-click", "on a slider or an edge of a panel: its usual value"}}};
+    return {
+        "Mouse",
+        {{"Click", "select a point"},
+         {"Shift+click", "add it to the selection or take it away"},
+         {"Alt+click", "select the point beneath it"},
+         {"Drag a point", "move the selection: Shift keeps the axis or 45°, Ctrl snaps"},
+         {"Drag on nothing", "select the points in a box"},
+         {"Drag the curve", "slide u"},
+         {"Double-click", "on a point: type in its numbers; on the curve: insert a point there "
+                          "(also Ctrl+click)"},
+         {"Click with the pen", "add a point at the end: Shift keeps to 45°, Ctrl snaps; drag to "
+                                "pull out handles"},
+         {"Right click", "what can be done there; in mid-drag: restore"},
+         {"Wheel", "zoom at the pointer"},
+         {"Middle-drag", "move the view (also with Space held down)"},
+         {"Double-click", "on a slider or an edge of a panel: its usual value"}}};
 }
 
 std::string keysOf(const Session& session, const Command& command) {
