@@ -3,6 +3,7 @@
 #include "ui/settings.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace splineloft::ui {
@@ -29,6 +30,33 @@ static const Curve* lockedVictim(const Document& before, const Document& after) 
     return nullptr;
 }
 
+/// Where curves have gone, by number, between documents that differ in their order alone.
+static std::map<std::size_t, std::size_t> reordered(const Document& before, const Document& after) {
+    std::map<std::size_t, std::size_t> moves;
+    if (before.curves.size() != after.curves.size()) {
+        return moves;
+    }
+    const auto stays = [&](std::size_t i) {
+        return before.curves[i].curve == after.curves[i].curve;
+    };
+    std::map<const Curve*, std::size_t> places;
+    for (std::size_t i = 0; i < after.curves.size(); ++i) {
+        if (!stays(i)) {
+            places[after.curves[i].curve.get()] = i;
+        }
+    }
+    for (std::size_t i = 0; i < before.curves.size(); ++i) {
+        const auto found = places.find(before.curves[i].curve.get());
+        if (!stays(i) && found == places.end()) {
+            return {}; // it was changed, or is gone
+        }
+        if (!stays(i)) {
+            moves[i] = found->second;
+        }
+    }
+    return moves;
+}
+
 void Session::apply(Edit edit) {
     if (edit.phase == Phase::cancel) {
         history.cancel();
@@ -48,8 +76,10 @@ void Session::apply(Edit edit) {
     if (edit.phase == Phase::preview) {
         history.preview(std::move(edit.next));
     } else {
+        const Document before = history.settled();
         history.commit(std::move(edit.next), std::move(edit.label));
         gesture = Idle{}; // the points in its hand may be gone
+        followOrder(before);
     }
     tidy();
 }
@@ -69,7 +99,9 @@ void Session::undo() {
     if (history.canUndo()) {
         say("Undone: " + std::string(history.undoLabel()));
     }
+    const Document before = history.settled();
     history.undo();
+    followOrder(before);
     tidy();
 }
 
@@ -78,7 +110,9 @@ void Session::redo() {
     if (history.canRedo()) {
         say("Done again: " + std::string(history.redoLabel()));
     }
+    const Document before = history.settled();
     history.redo();
+    followOrder(before);
     tidy();
 }
 
@@ -215,6 +249,23 @@ void Session::restCursor() {
     if (const Study* study = active(); study != nullptr && !study->pieces().empty()) {
         view.cursor = {study->pieces().size() / 2, 0.6};
     }
+}
+
+void Session::followOrder(const Document& before) {
+    const auto moves = reordered(before, document());
+    const auto nowAt = [&moves](std::size_t curve) {
+        const auto found = moves.find(curve);
+        return found == moves.end() ? curve : found->second;
+    };
+    if (moves.empty()) {
+        return;
+    }
+    view.activeCurve = nowAt(view.activeCurve);
+    auto ids = view.selection.ids();
+    for (PointId& id : ids) {
+        id.curve = nowAt(id.curve);
+    }
+    view.selection = Selection(std::move(ids));
 }
 
 void Session::tidy() {

@@ -201,6 +201,8 @@ class Session {
     std::optional<HeldKey> heldKey; ///< the key that was struck last, while it is down
 
   private:
+    /// Where curves were put in another order, selection and active curve go along.
+    void followOrder(const Document& before);
     /// Brings selection, active curve, cursor and studies back into what the document has.
     void tidy();
     /// Puts the cursor where it shows most: within the middle piece, at the lecture's u = 0.6.

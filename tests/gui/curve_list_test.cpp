@@ -3,6 +3,7 @@
 #include "hand.h"
 
 #include "core/document/curve_edits.h"
+#include "core/document/edits.h"
 #include "ui/canvas/pick.h"
 #include "ui/commands.h"
 #include "ui/theme.h"
@@ -211,6 +212,19 @@ TEST_F(CurveListTest, draggingARowReorders) {
     EXPECT_EQ(driver.steps(), 1);
     driver.key(Key::z, withControl);
     EXPECT_EQ(names(), "abc");
+    EXPECT_EQ(driver.session.view.activeCurve, 0U) << "still the same one";
+    EXPECT_EQ(driver.session.view.selection, (Selection{{0, 2}, {1, 1}}));
+}
+
+/// Found by the monkey: the inspector looked for the selected points where they were to be.
+TEST_F(CurveListTest, reorderingCurvesOfUnlikeLengthsKeepsToWhatThereIs) {
+    Document unlike = driver.session.document();
+    unlike = insertPoint(unlike, 0, 7, {9, 9});
+    unlike = insertPoint(unlike, 0, 8, {10, 9});
+    driver.session.apply({unlike, Phase::commit, "Lengthen"});
+    driver.session.view.selection = {{0, 7}, {0, 8}};
+    driver.drag(driver.middle(inRow(0, "##name")), driver.middle(inRow(2, "##name")));
+    EXPECT_EQ(driver.session.view.selection, (Selection{{2, 7}, {2, 8}}));
 }
 
 TEST_F(CurveListTest, escapeInMidDragLeavesTheOrder) {

@@ -57,15 +57,6 @@ void drawLock(ImVec2 at, bool locked, unsigned colour, const Stage& stage) {
                  {at.x + aside - stage.px(3), at.y}, colour, stage.px(1.4));
 }
 
-/// Where something goes when the one at `from` is put at `to`.
-std::size_t movedIndex(std::size_t index, std::size_t from, std::size_t to) {
-    if (index == from) {
-        return to;
-    }
-    const std::size_t taken = index > from ? index - 1 : index;
-    return taken >= to ? taken + 1 : taken;
-}
-
 class CurveList {
   public:
     CurveList(const Session& session, View& view, const Stage& stage)
@@ -227,18 +218,8 @@ class CurveList {
                 releaseActiveWidget();
             }
         } else if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(0)) {
-            move(from, static_cast<std::size_t>(target));
+            commit(moveCurve(settled(), from, static_cast<std::size_t>(target)), "Reorder", from);
         }
-    }
-
-    void move(std::size_t from, std::size_t to) {
-        commit(moveCurve(settled(), from, to), "Reorder", from);
-        view_.activeCurve = movedIndex(view_.activeCurve, from, to);
-        auto ids = view_.selection.ids();
-        for (PointId& id : ids) {
-            id.curve = movedIndex(id.curve, from, to);
-        }
-        view_.selection = Selection(std::move(ids));
     }
 
     /// A sign to be clicked, quiet until the pointer is there.
