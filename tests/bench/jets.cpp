@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t numbersAJet = 5;
 
 References makeJets() {
-    const auto& work = uniformCubic(2);
+    const auto& work = uniformCubic();
     References jets;
     for (std::size_t piece = 0; piece < work.pieces; ++piece) {
         for (std::size_t k = 0; k < work.perPiece; ++k) {
@@ -29,7 +29,7 @@ References makeJets() {
 }
 
 Trial ourJets() {
-    const auto& work = uniformCubic(2);
+    const auto& work = uniformCubic();
     const auto jets = ours::jets(ours::catmullRom(work.points, 2), work.perPiece);
     return {.pass =
                 [jets] {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t spotCount = 8192;
 
 RandomSpots makeRandomSpots() {
-    const auto& curve = uniformCubic(2);
+    const auto& curve = uniformCubic();
     RandomSpots work;
     Dice dice(3);
     for (std::size_t i = 0; i < spotCount; ++i) {
@@ -27,7 +27,7 @@ RandomSpots makeRandomSpots() {
 
 Trial ourRandom() {
     const auto& work = randomSpots();
-    const auto positionsAt = ours::positionsAt(ours::catmullRom(uniformCubic(2).points, 2));
+    const auto positionsAt = ours::positionsAt(ours::catmullRom(uniformCubic().points, 2));
     return filling<double>(
         work.positions, [positionsAt, &work](std::span<double> out) { positionsAt(work.t, out); });
 }

@@ -20,11 +20,14 @@ struct UniformCubic {
     Coordinates bezier = {}; ///< the same curve: 4 points a piece
     References positions = {};
 };
-const UniformCubic& uniformCubic(int dimension); // 2 or 3
-/// One in the plane whose control points float has exactly.
-const UniformCubic& uniformCubicOfFloats();
+/// One whose samples fit the first cache, in 2 or 3 dimensions.
+const UniformCubic& smallCubic(int dimension);
+/// The same in the plane, with control points that float has exactly.
+const UniformCubic& smallCubicOfFloats();
+/// One in the plane whose samples fit the second cache.
+const UniformCubic& uniformCubic();
 
-/// Position, first derivative by u and curvature at the samples of uniformCubic(2): x, y, x', y',
+/// Position, first derivative by u and curvature at the samples of uniformCubic(): x, y, x', y',
 /// k.
 const References& uniformCubicJets();
 /// Deviation of such jets, each of the three in units of its own largest value.
@@ -33,7 +36,7 @@ double deviationOfJets(const std::vector<double>& jets);
 /// A uniform Catmull-Rom spline in the plane with so many samples that no cache holds them.
 const UniformCubic& largeCubic();
 
-/// Parameter values 0 <= t < pieces all over uniformCubic(2), in no order.
+/// Parameter values 0 <= t < pieces all over uniformCubic(), in no order.
 struct RandomSpots {
     std::vector<double> t = {};
     References positions = {};

@@ -52,6 +52,15 @@ void sampleSlowly(const Pieces& pieces, std::size_t perPiece, std::span<Number> 
     }
 }
 
+template <class Number> void writeEnd(const Pieces& pieces, std::span<Number> out) {
+    if (pieces.form() == Form::polynomial) {
+        std::ranges::transform(pieces.bezier().last(out.size()), out.begin(),
+                               [](double number) { return static_cast<Number>(number); });
+    } else {
+        write(pieces[pieces.size() - 1].bezierPoint(pieces.degree()), out.data());
+    }
+}
+
 template <class Number>
 void writePositions(const Pieces& pieces, std::size_t perPiece, std::span<Number> out) {
     const auto places = placesPerPiece(pieces, perPiece);
@@ -74,7 +83,7 @@ void writePositions(const Pieces& pieces, std::size_t perPiece, std::span<Number
     } else {
         sampleByColumns(pieces, perPiece, before);
     }
-    write(pieces[pieces.size() - 1].bezierPoint(pieces.degree()), out.last(dimension).data());
+    writeEnd(pieces, out.last(dimension));
 }
 
 /// Where the next row of each table goes.

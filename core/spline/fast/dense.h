@@ -24,7 +24,8 @@ std::size_t placesPerPiece(const Pieces& pieces, std::size_t perPiece);
 /// its weights), doubles are within 1e-13 of the exact value up to degree 400, cubics within 1e-14.
 /// Throws std::invalid_argument if `out` is of another size than placesPerPiece x dimension.
 void positionsPerPiece(const Pieces& pieces, std::size_t perPiece, std::span<double> out);
-/// The same in single precision.
+/// The same in single precision. Polynomial pieces up to degree 5 are computed in it, within 5e-7;
+/// others are rounded once. u = 0 and the end are exact here, too, as far as floats are.
 void positionsPerPiece(const Pieces& pieces, std::size_t perPiece, std::span<float> out);
 
 /// What a table of jets holds, one row a place.

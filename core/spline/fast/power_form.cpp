@@ -75,7 +75,7 @@ void PowerForm::Kept::keepCoefficients() {
     coefficients.resize(pieces.size() * rows * columns);
     auto* row = coefficients.data();
     for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
-        maker.make(pieces[piece].coordinates.data(), 1, width, ofPiece.data());
+        maker.make(pieces[piece].coordinates.data(), width, ofPiece.data());
         // The second set of a scaled form is the first in reverse: it is read upwards instead.
         for (std::size_t k = 0; k < rows; ++k, row += columns) {
             std::copy_n(ofPiece.data() + k * width, width, row);

@@ -13,8 +13,9 @@ template <std::size_t dimension> using Place = std::array<double, dimension>;
 
 template <std::size_t dimension> using CatmullRom = boost::math::catmull_rom<Place<dimension>>;
 
-template <std::size_t dimension> std::shared_ptr<CatmullRom<dimension>> uniformCatmullRom() {
-    const auto& coordinates = uniformCubic(dimension).points;
+template <std::size_t dimension>
+std::shared_ptr<CatmullRom<dimension>> uniformCatmullRom(const UniformCubic& work) {
+    const auto& coordinates = work.points;
     std::vector<Place<dimension>> points(coordinates.size() / dimension);
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         points[i / dimension][i % dimension] = coordinates[i];
@@ -25,12 +26,13 @@ template <std::size_t dimension> std::shared_ptr<CatmullRom<dimension>> uniformC
 
 /// Our piece 0 begins at the second point, at which Boost's parameter is 1.
 template <std::size_t dimension>
-Trial evaluation(std::vector<double> parameters, const References& reference) {
+Trial evaluation(const UniformCubic& work, std::vector<double> parameters,
+                 const References& reference) {
     for (auto& t : parameters) {
         t += 1;
     }
     return filling<double>(
-        reference, [curve = uniformCatmullRom<dimension>(), parameters](std::span<double> out) {
+        reference, [curve = uniformCatmullRom<dimension>(work), parameters](std::span<double> out) {
             auto* next = out.data();
             for (const double t : parameters) {
                 const auto position = (*curve)(t);
@@ -40,16 +42,16 @@ Trial evaluation(std::vector<double> parameters, const References& reference) {
 }
 
 Trial denseInSpace() {
-    const auto& work = uniformCubic(3);
+    const auto& work = smallCubic(3);
     std::vector<double> parameters;
     for (std::size_t i = 0; i < work.pieces * work.perPiece; ++i) {
         parameters.push_back(static_cast<double>(i) / static_cast<double>(work.perPiece));
     }
-    return evaluation<3>(parameters, work.positions);
+    return evaluation<3>(work, parameters, work.positions);
 }
 
 Trial random() {
-    return evaluation<2>(randomSpots().t, randomSpots().positions);
+    return evaluation<2>(uniformCubic(), randomSpots().t, randomSpots().positions);
 }
 
 using BSpline = boost::math::interpolators::cardinal_cubic_b_spline<double>;

@@ -23,7 +23,7 @@ Eigen::Spline<double, 2, degree> splineOf(const Coordinates& points,
 /// A uniform Catmull-Rom spline is the cubic B-spline with double knots whose control points are
 /// the inner Bézier points.
 Eigen::Spline<double, 2, 3> catmullRomSpline() {
-    const auto& work = uniformCubic(2);
+    const auto& work = uniformCubic();
     Coordinates points = {work.bezier[0], work.bezier[1]};
     std::vector<double> knots = {0, 0, 0, 0};
     for (std::size_t piece = 0; piece < work.pieces; ++piece) {
@@ -61,7 +61,7 @@ Trial evaluation(const Spline& spline, const std::vector<double>& parameters,
 Trial random() {
     auto parameters = randomSpots().t;
     for (auto& t : parameters) {
-        t /= static_cast<double>(uniformCubic(2).pieces);
+        t /= static_cast<double>(uniformCubic().pieces);
     }
     return evaluation(catmullRomSpline(), parameters, randomSpots().positions);
 }
@@ -82,7 +82,7 @@ template <int degree> Trial clamped() {
 }
 
 Trial jets() {
-    const auto& work = uniformCubic(2);
+    const auto& work = uniformCubic();
     const auto parameters = evenParameters(work.pieces * work.perPiece);
     const auto pieces = static_cast<double>(work.pieces);
     const auto numbers = std::make_shared<std::vector<double>>(uniformCubicJets().size());

@@ -46,7 +46,7 @@ template <class Vector> Trial dense(const UniformCubic& work) {
 
 Trial random() {
     const auto& work = randomSpots();
-    const auto p = vectorsOf<glm::dvec2>(uniformCubic(2).points);
+    const auto p = vectorsOf<glm::dvec2>(uniformCubic().points);
     return filling<double>(work.positions, [p, &work](std::span<double> out) {
         auto* next = out.data();
         for (const double t : work.t) {
@@ -62,9 +62,10 @@ Trial random() {
 void addGlm(Contest& contest) {
     contest.entries.insert(
         contest.entries.end(),
-        {{"dense-2f", "glm", [] { return dense<glm::vec2>(uniformCubicOfFloats()); }},
-         {"dense-2d", "glm", [] { return dense<glm::dvec2>(uniformCubic(2)); }},
-         {"dense-3d", "glm", [] { return dense<glm::dvec3>(uniformCubic(3)); }},
+        {{"dense-2f", "glm", [] { return dense<glm::vec2>(smallCubicOfFloats()); }},
+         {"dense-2d", "glm", [] { return dense<glm::dvec2>(smallCubic(2)); }},
+         {"dense-3d", "glm", [] { return dense<glm::dvec3>(smallCubic(3)); }},
+         {"dense-2d-second", "glm", [] { return dense<glm::dvec2>(uniformCubic()); }},
          {"random-2d", "glm", random}});
 }
 

@@ -74,7 +74,7 @@ Trial nearest() {
 }
 
 Trial jets() {
-    const auto& work = uniformCubic(2);
+    const auto& work = uniformCubic();
     const auto cubics = cubicsOf(work.bezier);
     const auto numbers = std::make_shared<std::vector<double>>(uniformCubicJets().size());
     return {.pass =

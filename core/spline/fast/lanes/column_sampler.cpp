@@ -29,7 +29,7 @@ void ColumnSampler::choosePiece(std::size_t piece) {
         }
         legs_.resize(left);
     }
-    maker_.make(legs_.data(), 1, width_, coefficients_.data());
+    maker_.make(legs_.data(), width_, coefficients_.data());
 }
 
 const Columns& ColumnSampler::sample(std::size_t begin, std::size_t end) {
@@ -40,7 +40,7 @@ const Columns& ColumnSampler::sample(std::size_t begin, std::size_t end) {
         if (from >= to) {
             continue;
         }
-        Task<double> task; // a column is a piece in one dimension
+        Task<double, double> task; // a column is a piece in one dimension
         task.coefficients =
             coefficients_.data() + run.set * static_cast<std::size_t>(maker_.degree() + 1) * width_;
         task.rowStride = width_;
@@ -52,7 +52,6 @@ const Columns& ColumnSampler::sample(std::size_t begin, std::size_t end) {
         task.count = to - from;
         task.out = values_.data() + (from - begin);
         task.outStride = columns_.stride;
-        task.end = values_.data() + values_.size();
         samplePoints(task, 1);
     }
     return columns_;

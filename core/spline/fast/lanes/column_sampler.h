@@ -31,7 +31,7 @@ class ColumnSampler {
     std::size_t width_; ///< columns, the weight included
     int derivative_;
     CoefficientMaker maker_; ///< of the derivative's degree
-    std::vector<Run> runs_;
+    std::vector<Run<double>> runs_;
     std::vector<double> legs_; ///< Bernstein coefficients of the derivative, point after point
     std::vector<double> coefficients_, values_;
     Columns columns_;

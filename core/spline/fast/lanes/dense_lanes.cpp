@@ -14,215 +14,252 @@ namespace splineloft::lanes::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = hn::ScalableTag<double>;
-using Vector = hn::Vec<Doubles>;
+template <class Lane> using Tag = hn::ScalableTag<Lane>;
+template <class Lane> using Vector = hn::Vec<Tag<Lane>>;
 
-/// Horner's scheme for four vectors of samples, whose additions do not wait for each other.
-/// `fixedDegree` 0: the degree is known at run time only.
-template <int fixedDegree, class Number, class V>
-HWY_INLINE void horner(Doubles d, const Task<Number>& task, const double* HWY_RESTRICT c, V x0,
-                       V x1, V x2, V x3, V& p0, V& p1, V& p2, V& p3) {
-    const auto row = task.rowStride;
-    auto k = static_cast<std::size_t>(fixedDegree > 0 ? fixedDegree : task.degree);
-    p0 = p1 = p2 = p3 = hn::Set(d, c[k * row]);
-    while (k-- > 0) {
-        const auto next = hn::Set(d, c[k * row]);
-        p0 = hn::MulAdd(p0, x0, next);
-        p1 = hn::MulAdd(p1, x1, next);
-        p2 = hn::MulAdd(p2, x2, next);
-        p3 = hn::MulAdd(p3, x3, next);
-    }
-}
+/// Coordinates of a vector of samples on their way to rows of points. The samples lie in the lanes
+/// in such an order that few shuffles are left: it is the arguments that are brought into it.
+template <int dimension, class Lane, class Number> class Weave {
+  public:
+    static constexpr std::size_t lanes = hn::MaxLanes(Tag<Lane>());
 
-template <class Number, class V>
-HWY_INLINE V horner(Doubles d, const Task<Number>& task, const double* HWY_RESTRICT c, V x) {
-    auto k = static_cast<std::size_t>(task.degree);
-    auto p = hn::Set(d, c[k * task.rowStride]);
-    while (k-- > 0) {
-        p = hn::MulAdd(p, x, hn::Set(d, c[k * task.rowStride]));
-    }
-    return p;
-}
-
-HWY_INLINE void scaleFour(const double* scale, Vector& p0, Vector& p1, Vector& p2, Vector& p3) {
-    const Doubles d;
-    const auto lanes = hn::Lanes(d);
-    p0 = hn::Mul(p0, hn::LoadU(d, scale));
-    p1 = hn::Mul(p1, hn::LoadU(d, scale + lanes));
-    p2 = hn::Mul(p2, hn::LoadU(d, scale + 2 * lanes));
-    p3 = hn::Mul(p3, hn::LoadU(d, scale + 3 * lanes));
-}
-
-/// Where within a vector's samples lane `lane` stands when pairs of Number are to be interleaved.
-template <class Number> std::size_t sampleOfLane(std::size_t lane, std::size_t lanes) {
-    const auto block = HWY_MIN(16 / sizeof(Number), lanes); // lanes that interleave together
-    const auto half = block / 2;
-    if (half == 0) {
-        return lane;
-    }
-    const auto within = lane % block;
-    const auto lower = lane / block * half;
-    return within < half ? lower + within : lanes / 2 + lower + within - half;
-}
-
-template <class Number> void arrange(double* table, std::size_t count) {
-    constexpr std::size_t mostLanes = HWY_MAX_BYTES / sizeof(double);
-    const auto lanes = hn::Lanes(Doubles());
-    std::size_t order[mostLanes]; // worked out once: it takes divisions
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        order[lane] = sampleOfLane<Number>(lane, lanes);
-    }
-    HWY_ALIGN double samples[mostLanes];
-    for (std::size_t i = 0; i < count; i += lanes) {
-        hn::Store(hn::LoadU(Doubles(), table + i), Doubles(), samples);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            table[i + lane] = samples[order[lane]];
+    Weave() {
+        static constexpr Tables tables = makeTables();
+        for (std::size_t c = 0; c < dimension; ++c) {
+            orders_[c] = hn::SetTableIndices(Tag<Lane>(), tables.samples[c]);
+            every_[c] = hn::Eq(hn::Load(Tag<Lane>(), tables.coordinates),
+                               hn::Set(Tag<Lane>(), static_cast<Lane>(c)));
         }
     }
-}
 
-/// As many numbers as there are lanes of doubles.
-template <class Number> using Numbers = hn::Rebind<Number, Doubles>;
-
-HWY_INLINE Vector rounded(Vector v, double) {
-    return v;
-}
-HWY_INLINE hn::Vec<Numbers<float>> rounded(Vector v, float) {
-    return hn::DemoteTo(Numbers<float>(), v);
-}
-
-template <class Number> HWY_INLINE void storeRows(Vector x, Number* HWY_RESTRICT out) {
-    hn::StoreU(rounded(x, Number{}), Numbers<Number>(), out);
-}
-
-template <class Number> HWY_INLINE void storeRows(Vector x, Vector y, Number* HWY_RESTRICT out) {
-    const Numbers<Number> d;
-    const auto p = rounded(x, Number{});
-    const auto q = rounded(y, Number{});
-#if HWY_TARGET == HWY_SCALAR
-    hn::StoreInterleaved2(p, q, d, out);
-#else
-    hn::StoreU(hn::InterleaveLower(d, p, q), d, out);
-    hn::StoreU(hn::InterleaveUpper(d, p, q), d, out + hn::Lanes(d));
-#endif
-}
-
-template <class Number>
-HWY_INLINE void storeRows(Vector x, Vector y, Vector z, Number* HWY_RESTRICT out) {
-    hn::StoreInterleaved3(rounded(x, Number{}), rounded(y, Number{}), rounded(z, Number{}),
-                          Numbers<Number>(), out);
-}
-
-/// The coordinates of one vector of samples.
-template <int dimension, class Number>
-HWY_INLINE void sampleVector(const Task<Number>& task, const double* c, std::size_t i,
-                             Number* HWY_RESTRICT out) {
-    const Doubles d;
-    const auto x = hn::LoadU(d, task.x + i);
-    const auto s = task.scale == nullptr ? hn::Set(d, 1.0) : hn::LoadU(d, task.scale + i);
-    const auto p = hn::Mul(horner(d, task, c, x), s);
-    if constexpr (dimension == 1) {
-        storeRows(p, out);
-    } else if constexpr (dimension == 2) {
-        storeRows(p, hn::Mul(horner(d, task, c + 1, x), s), out);
-    } else {
-        storeRows(p, hn::Mul(horner(d, task, c + 1, x), s), hn::Mul(horner(d, task, c + 2, x), s),
-                  out);
-    }
-}
-
-/// The same of four vectors. (Vectors of some machines have no size that the compiler knows, so
-/// that they cannot stand in arrays.)
-template <int dimension, int fixedDegree, bool scaled, class Number>
-HWY_INLINE void sampleFour(const Task<Number>& task, const double* c, std::size_t i,
-                           Number* HWY_RESTRICT out) {
-    const Doubles d;
-    const auto lanes = hn::Lanes(d);
-    const auto x0 = hn::LoadU(d, task.x + i);
-    const auto x1 = hn::LoadU(d, task.x + i + lanes);
-    const auto x2 = hn::LoadU(d, task.x + i + 2 * lanes);
-    const auto x3 = hn::LoadU(d, task.x + i + 3 * lanes);
-    Vector p0, p1, p2, p3, q0, q1, q2, q3, r0, r1, r2, r3;
-    horner<fixedDegree>(d, task, c, x0, x1, x2, x3, p0, p1, p2, p3);
-    if constexpr (dimension > 1) {
-        horner<fixedDegree>(d, task, c + 1, x0, x1, x2, x3, q0, q1, q2, q3);
-    }
-    if constexpr (dimension > 2) {
-        horner<fixedDegree>(d, task, c + 2, x0, x1, x2, x3, r0, r1, r2, r3);
-    }
-    if constexpr (scaled) {
-        scaleFour(task.scale + i, p0, p1, p2, p3);
-        if constexpr (dimension > 1) {
-            scaleFour(task.scale + i, q0, q1, q2, q3);
-        }
-        if constexpr (dimension > 2) {
-            scaleFour(task.scale + i, r0, r1, r2, r3);
-        }
-    }
-    if constexpr (dimension == 1) {
-        storeRows(p0, out);
-        storeRows(p1, out + lanes);
-        storeRows(p2, out + 2 * lanes);
-        storeRows(p3, out + 3 * lanes);
-    } else if constexpr (dimension == 2) {
-        storeRows(p0, q0, out);
-        storeRows(p1, q1, out + 2 * lanes);
-        storeRows(p2, q2, out + 4 * lanes);
-        storeRows(p3, q3, out + 6 * lanes);
-    } else {
-        storeRows(p0, q0, r0, out);
-        storeRows(p1, q1, r1, out + 3 * lanes);
-        storeRows(p2, q2, r2, out + 6 * lanes);
-        storeRows(p3, q3, r3, out + 9 * lanes);
-    }
-}
-
-/// What four vectors leave over. The last vector may reach into samples that are written later;
-/// where it would reach beyond the end, it takes a detour.
-template <int dimension, class Number>
-HWY_INLINE void sampleRest(const Task<Number>& task, const double* c, std::size_t i, Number* out) {
-    const auto lanes = hn::Lanes(Doubles());
-    for (; i < task.count; i += lanes) {
-        Number* const to = out + i * dimension;
-        if (static_cast<std::size_t>(task.end - to) >= lanes * dimension) {
-            sampleVector<dimension>(task, c, i, to);
+    /// A vector of a table, in the order for one coordinate.
+    HWY_INLINE Vector<Lane> load(const Lane* table, std::size_t coordinate) const {
+        const auto samples = hn::LoadU(Tag<Lane>(), table);
+        if constexpr (dimension == 1 || (dimension == 2 && lanes * sizeof(Number) <= 16)) {
+            return samples;
         } else {
-            HWY_ALIGN Number detour[HWY_MAX_BYTES / sizeof(double) * dimension];
-            sampleVector<dimension>(task, c, i, detour);
-            std::memcpy(to, detour, (task.count - i) * dimension * sizeof(Number));
+            return hn::TableLookupLanes(samples, orders_[dimension == 2 ? 0 : coordinate]);
         }
+    }
+
+    HWY_INLINE void store(const Vector<Lane> (&p)[dimension], Number* HWY_RESTRICT out) const {
+        if constexpr (dimension == 1) {
+            storeVector(p[0], out);
+        } else if constexpr (dimension == 2) {
+            storePairs(p[0], p[1], out);
+        } else {
+            // Each lane of each vector of memory has its coordinate there already.
+            for (std::size_t v = 0; v < 3; ++v) {
+                const auto rest = hn::IfThenElse(every_[(1 + 2 * v * lanes) % 3], p[1], p[2]);
+                const auto whole = hn::IfThenElse(every_[2 * v * lanes % 3], p[0], rest);
+                storeVector(whole, out + v * lanes);
+            }
+        }
+    }
+
+  private:
+    using Index = hwy::MakeSigned<Lane>;
+    using Order = decltype(hn::SetTableIndices(Tag<Lane>(), static_cast<const Index*>(nullptr)));
+    /// As many numbers as there are lanes.
+    using Numbers = hn::Rebind<Number, Tag<Lane>>;
+
+    struct Tables {
+        HWY_ALIGN Index samples[dimension][lanes]; ///< which sample is in a lane
+        HWY_ALIGN Lane coordinates[lanes];         ///< lane % dimension
+    };
+
+    static constexpr Tables makeTables() {
+        Tables tables{};
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            tables.coordinates[lane] = static_cast<Lane>(lane % dimension);
+            for (std::size_t c = 0; c < dimension; ++c) {
+                tables.samples[c][lane] = static_cast<Index>(sampleOfLane(lane, c));
+            }
+        }
+        return tables;
+    }
+
+    /// Machines interleave two vectors within blocks of 16 bytes, so pairs of samples lie in every
+    /// other half of a block. Of three coordinates each number has the lane where it goes to.
+    static constexpr std::size_t sampleOfLane(std::size_t lane, std::size_t coordinate) {
+        if constexpr (dimension == 2) {
+            constexpr auto block = HWY_MIN(16 / sizeof(Number), lanes);
+            constexpr auto half = HWY_MAX(block / 2, 1);
+            const auto lower = lane / block * half;
+            const auto within = lane % block;
+            return within < half ? lower + within : lanes / 2 + lower + within - half;
+        } else {
+            std::size_t sample = 0;
+            while ((sample * dimension + coordinate) % lanes != lane) {
+                ++sample;
+            }
+            return sample;
+        }
+    }
+
+    static HWY_INLINE auto rounded(Vector<Lane> v) {
+        if constexpr (sizeof(Lane) == sizeof(Number)) {
+            return v;
+        } else {
+            return hn::DemoteTo(Numbers(), v);
+        }
+    }
+
+    static HWY_INLINE void storeVector(Vector<Lane> v, Number* HWY_RESTRICT out) {
+        hn::StoreU(rounded(v), Numbers(), out);
+    }
+
+    static HWY_INLINE void storePairs(Vector<Lane> x, Vector<Lane> y, Number* HWY_RESTRICT out) {
+#if HWY_TARGET == HWY_SCALAR
+        hn::StoreInterleaved2(rounded(x), rounded(y), Numbers(), out);
+#else
+        const auto p = rounded(x), q = rounded(y);
+        hn::StoreU(hn::InterleaveLower(Numbers(), p, q), Numbers(), out);
+        hn::StoreU(hn::InterleaveUpper(Numbers(), p, q), Numbers(), out + lanes);
+#endif
+    }
+
+    Order orders_[dimension];
+    hn::Mask<Tag<Lane>> every_[dimension]; ///< lanes 0, d, 2d, ..., then 1, d + 1, ... and so on
+};
+
+/// Horner's scheme for some vectors of samples, whose additions do not wait for each other.
+template <std::size_t vectors, int dimension, class Lane, class Number>
+HWY_INLINE void sampleVectors(const Task<Lane, Number>& task, const Lane* HWY_RESTRICT c,
+                              std::size_t i, const Weave<dimension, Lane, Number>& weave,
+                              Number* HWY_RESTRICT out) {
+    const Tag<Lane> d;
+    constexpr auto lanes = Weave<dimension, Lane, Number>::lanes;
+    Vector<Lane> p[vectors][dimension];
+    for (std::size_t which = 0; which < dimension; ++which) {
+        Vector<Lane> x[vectors];
+        auto k = static_cast<std::size_t>(task.degree);
+        for (std::size_t v = 0; v < vectors; ++v) {
+            x[v] = weave.load(task.x + i + v * lanes, which);
+            p[v][which] = hn::Set(d, c[k * task.rowStride + which]);
+        }
+        while (k-- > 0) {
+            const auto next = hn::Set(d, c[k * task.rowStride + which]);
+            for (std::size_t v = 0; v < vectors; ++v) {
+                p[v][which] = hn::MulAdd(p[v][which], x[v], next);
+            }
+        }
+        for (std::size_t v = 0; v < vectors && task.scale != nullptr; ++v) {
+            const auto scale = weave.load(task.scale + i + v * lanes, which);
+            p[v][which] = hn::Mul(p[v][which], scale);
+        }
+    }
+    for (std::size_t v = 0; v < vectors; ++v) {
+        weave.store(p[v], out + v * lanes * dimension);
     }
 }
 
-template <int dimension, int fixedDegree, bool scaled, class Number>
-void samplePieces(Task<Number> task) { // a copy, which the output cannot overlap
-    const auto four = 4 * hn::Lanes(Doubles());
+/// The first sample, less than a vector on, from which on points fill whole vectors of memory; 0
+/// where there is none. Stores that straddle lines of the cache take twice the time.
+template <int dimension, class Lane, class Number> std::size_t samplesToLine(const Number* out) {
+    constexpr auto lanes = hn::MaxLanes(Tag<Lane>());
+    const auto address = reinterpret_cast<std::uintptr_t>(out);
+    for (std::size_t i = 0; i < lanes; ++i) {
+        if ((address + i * dimension * sizeof(Number)) % (lanes * sizeof(Number)) == 0) {
+            return i;
+        }
+    }
+    return 0;
+}
+
+/// `count` samples, a vector at least, of a polynomial of any degree. Vectors at the ends overlap
+/// their neighbours, and write the same again.
+template <int dimension, class Lane, class Number>
+void samplePiece(const Task<Lane, Number>& task, const Lane* c, std::size_t head,
+                 const Weave<dimension, Lane, Number>& weave, Number* out) {
+    constexpr auto lanes = Weave<dimension, Lane, Number>::lanes;
+    const auto last = task.count - lanes;
+    if (head > 0) {
+        sampleVectors<1>(task, c, 0, weave, out);
+    }
+    std::size_t i = head;
+    for (; i + 3 * lanes <= last; i += 4 * lanes) {
+        sampleVectors<4>(task, c, i, weave, out + i * dimension);
+    }
+    for (; i <= last; i += lanes) {
+        sampleVectors<1>(task, c, i, weave, out + i * dimension);
+    }
+    if (i < task.count) {
+        sampleVectors<1>(task, c, last, weave, out + last * dimension);
+    }
+}
+
+/// The same of a cubic in power form. All that the loop needs is a local of it (the weave, too, is
+/// a copy), so stays in registers, and the processor works on several vectors at once by itself.
+template <int dimension, class Lane, class Number>
+void sampleCubic(const Task<Lane, Number>& task, const Lane* c, std::size_t head,
+                 Weave<dimension, Lane, Number> weave, Number* out) {
+    const Tag<Lane> d;
+    constexpr auto lanes = Weave<dimension, Lane, Number>::lanes;
+    const Lane* const table = task.x;
+    Vector<Lane> c0[dimension], c1[dimension], c2[dimension], c3[dimension];
+    for (std::size_t which = 0; which < dimension; ++which) {
+        c0[which] = hn::Set(d, c[which]);
+        c1[which] = hn::Set(d, c[task.rowStride + which]);
+        c2[which] = hn::Set(d, c[2 * task.rowStride + which]);
+        c3[which] = hn::Set(d, c[3 * task.rowStride + which]);
+    }
+    const auto points = [&](std::size_t i) HWY_ATTR __attribute__((always_inline)) {
+        Vector<Lane> p[dimension];
+        for (std::size_t which = 0; which < dimension; ++which) {
+            const auto x = weave.load(table + i, which);
+            p[which] = hn::MulAdd(hn::MulAdd(c3[which], x, c2[which]), x, c1[which]);
+            p[which] = hn::MulAdd(p[which], x, c0[which]);
+        }
+        weave.store(p, out + i * dimension);
+    };
+    const auto last = task.count - lanes;
+    points(0);
+    auto i = head > 0 ? head : lanes;
+    for (; i + lanes < last; i += 2 * lanes) {
+        points(i);
+        points(i + lanes);
+    }
+    if (i < last) {
+        points(i);
+    }
+    points(last);
+}
+
+template <int dimension, class Lane, class Number>
+void samplePieces(Task<Lane, Number> task) { // a copy, which the output cannot overlap
+    const Weave<dimension, Lane, Number> weave;
+    constexpr auto lanes = Weave<dimension, Lane, Number>::lanes;
+    const bool isCubic = task.degree == 3 && task.scale == nullptr;
+    const bool alike = task.outStride % lanes == 0; // all pieces begin alike in their lines
+    auto head = samplesToLine<dimension, Lane>(task.out);
     for (std::size_t piece = 0; piece < task.pieces; ++piece) {
-        const double* const c = task.coefficients + piece * task.pieceStride;
+        const Lane* const c = task.coefficients + piece * task.pieceStride;
         Number* const out = task.out + piece * task.outStride;
-        std::size_t i = 0;
-        for (; i + four <= task.count; i += four) {
-            sampleFour<dimension, fixedDegree, scaled>(task, c, i, out + i * dimension);
+        if (task.count < lanes) {
+            HWY_ALIGN Number few[lanes * dimension];
+            sampleVectors<1>(task, c, 0, weave, few);
+            std::memcpy(out, few, task.count * dimension * sizeof(Number));
+        } else {
+            head = alike ? head : samplesToLine<dimension, Lane>(out);
+            if (isCubic) {
+                sampleCubic(task, c, head, weave, out);
+            } else {
+                samplePiece(task, c, head, weave, out);
+            }
         }
-        sampleRest<dimension>(task, c, i, out);
+        for (std::size_t k = 0; k < dimension && task.starts != nullptr; ++k) {
+            out[k] = task.starts[piece * task.pieceStride + k];
+        }
     }
 }
 
-template <int dimension, class Number> void sampleDegree(const Task<Number>& task) {
-    if (task.scale != nullptr) {
-        samplePieces<dimension, 0, true>(task);
-    } else if (task.degree == 3) {
-        samplePieces<dimension, 3, false>(task);
-    } else {
-        samplePieces<dimension, 0, false>(task);
-    }
-}
-
-template <class Number> void sample(const Task<Number>& task, int dimension) {
+template <class Lane, class Number>
+HWY_INLINE void sample(const Task<Lane, Number>& task, int dimension) {
     switch (dimension) {
-    case 1: return sampleDegree<1>(task);
-    case 2: return sampleDegree<2>(task);
-    default: return sampleDegree<3>(task);
+    case 1: return samplePieces<1>(task);
+    case 2: return samplePieces<2>(task);
+    default: return samplePieces<3>(task);
     }
 }
 
@@ -244,16 +281,13 @@ void stream(const Number* HWY_RESTRICT from, std::size_t count, Number* HWY_REST
     hwy::FlushStream();
 }
 
-void arrangeDouble(double* table, std::size_t count) {
-    arrange<double>(table, count);
-}
-void arrangeFloat(double* table, std::size_t count) {
-    arrange<float>(table, count);
-}
-void sampleDouble(const Task<double>& task, int dimension) {
+void sampleDouble(const Task<double, double>& task, int dimension) {
     sample(task, dimension);
 }
-void sampleFloat(const Task<float>& task, int dimension) {
+void sampleRounded(const Task<double, float>& task, int dimension) {
+    sample(task, dimension);
+}
+void sampleFloat(const Task<float, float>& task, int dimension) {
     sample(task, dimension);
 }
 void streamDouble(const double* from, std::size_t count, double* to) {
@@ -270,26 +304,21 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace splineloft::lanes {
 
-HWY_EXPORT(arrangeDouble);
-HWY_EXPORT(arrangeFloat);
 HWY_EXPORT(sampleDouble);
+HWY_EXPORT(sampleRounded);
 HWY_EXPORT(sampleFloat);
 HWY_EXPORT(streamDouble);
 HWY_EXPORT(streamFloat);
 
-template <> void arrangeForPairs<double>(double* table, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(arrangeDouble)(table, count);
-}
-
-template <> void arrangeForPairs<float>(double* table, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(arrangeFloat)(table, count);
-}
-
-void samplePoints(const Task<double>& task, int dimension) {
+void samplePoints(const Task<double, double>& task, int dimension) {
     HWY_DYNAMIC_DISPATCH(sampleDouble)(task, dimension);
 }
 
-void samplePoints(const Task<float>& task, int dimension) {
+void samplePoints(const Task<double, float>& task, int dimension) {
+    HWY_DYNAMIC_DISPATCH(sampleRounded)(task, dimension);
+}
+
+void samplePoints(const Task<float, float>& task, int dimension) {
     HWY_DYNAMIC_DISPATCH(sampleFloat)(task, dimension);
 }
 

@@ -7,6 +7,9 @@
 // (1 - u)^n times a polynomial in r whose coefficients are binomial(n, k) b_k. Nothing cancels that
 // does not cancel in the Bernstein form itself. To keep r below 1 the half beyond u = 1/2 is seen
 // from the other end: a second set of coefficients, in reverse.
+//
+// In single precision the power form is one about u = 1/2, where little cancels: it loses about as
+// much as rounding the points does.
 #pragma once
 
 #include <cstddef>
@@ -35,11 +38,13 @@ class CoefficientMaker {
     explicit CoefficientMaker(int degree);
 
     int degree() const { return degree_; }
-    /// Reads the (degree + 1) x width numbers of each of `pieces`, Bézier point after Bézier point.
-    /// Writes `coefficientCount(degree)` rows of pieces x width numbers: constants first, then what
-    /// belongs to x, and so on. Long rows make it quick.
-    void make(const double* bezier, std::size_t pieces, std::size_t width,
-              double* coefficients) const;
+    /// Reads the (degree + 1) x width numbers of a piece, Bézier point after Bézier point. Writes
+    /// `coefficientCount(degree)` rows of width numbers: constants first, then what belongs to x,
+    /// and so on.
+    void make(const double* bezier, std::size_t width, double* coefficients) const;
+    /// The same about u = 1/2, rounded once, for degrees that have a power form; and one row more:
+    /// the first Bézier point, which is not exact about u = 1/2.
+    void makeCentred(const double* bezier, std::size_t width, float* coefficients) const;
 
   private:
     int degree_;
@@ -47,18 +52,21 @@ class CoefficientMaker {
 };
 
 /// Consecutive samples that are evaluated with the same set of coefficients.
-struct Run {
-    std::size_t set = 0;       ///< 1: seen from the end
-    std::size_t first = 0;     ///< sample
-    std::size_t count = 0;     ///< of samples
-    std::vector<double> x;     ///< u, or its ratio; padded by `runPadding` finite numbers
-    std::vector<double> scale; ///< factor of the value; empty in power form
+template <class Lane> struct Run {
+    std::size_t set = 0;     ///< 1: seen from the end
+    std::size_t first = 0;   ///< sample
+    std::size_t count = 0;   ///< of samples
+    std::vector<Lane> x;     ///< u, its ratio, or u - 1/2; padded by `runPadding` finite numbers
+    std::vector<Lane> scale; ///< factor of the value; empty in power form
 };
 
 /// Lanes may read so far beyond a run (64 bytes hold sixteen floats).
 inline constexpr std::size_t runPadding = 64;
 
 /// The samples u = k / perPiece, 0 <= k < perPiece, for polynomials of this degree.
-std::vector<Run> runsOf(int degree, std::size_t perPiece);
+std::vector<Run<double>> runsOf(int degree, std::size_t perPiece);
+
+/// The same samples for coefficients about u = 1/2.
+Run<float> centredRun(std::size_t perPiece);
 
 } // namespace splineloft::lanes
