@@ -2,6 +2,7 @@
 
 #include "core/spline/fast/lanes/column_sampler.h"
 #include "core/spline/fast/lanes/direct_sampler.h"
+#include "core/spline/fast/lanes/plane_jet_lanes.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -102,6 +103,27 @@ void writeJet(const Jet& jet, JetRows& rows) {
     ++rows.curvature;
 }
 
+/// Plane polynomials have all in one pass.
+bool haveDirectJets(const Pieces& pieces) {
+    return pieces.form() == Form::polynomial && pieces.dimension() == 2 && pieces.degree() >= 2 &&
+           !lanes::isScaled(pieces.degree());
+}
+
+void writeDirectJets(const Pieces& pieces, std::size_t perPiece, JetRows& rows) {
+    const lanes::CoefficientMaker maker(pieces.degree());
+    const auto run = lanes::runsOf(pieces.degree(), perPiece).front();
+    const auto numbers = 2 * static_cast<std::size_t>(pieces.degree() + 1);
+    std::vector<double> coefficients(numbers);
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
+        maker.make(pieces.bezier().data() + piece * numbers, 2, coefficients.data());
+        lanes::planeJets({coefficients.data(), pieces.degree(), run.x.data(), perPiece},
+                         rows.position, rows.first, rows.curvature);
+        rows.position += 2 * perPiece;
+        rows.first += 2 * perPiece;
+        rows.curvature += perPiece;
+    }
+}
+
 void writeJets(const Pieces& pieces, std::size_t perPiece, JetRows& rows) {
     ColumnSampler positions(pieces, 0, perPiece);
     ColumnSampler firsts(pieces, 1, perPiece);
@@ -163,6 +185,8 @@ void jetsPerPiece(const Pieces& pieces, std::size_t perPiece, DenseJets& jets) {
         for (std::size_t k = 0; k + 1 < places; ++k) {
             writeJet(pieces.jet({k / perPiece, along(k % perPiece, perPiece)}), rows);
         }
+    } else if (haveDirectJets(pieces)) {
+        writeDirectJets(pieces, perPiece, rows);
     } else {
         writeJets(pieces, perPiece, rows);
     }
