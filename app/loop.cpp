@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace splineloft::app {
 
@@ -106,13 +107,15 @@ WindowOptions sizeWanted(const ui::Session& session) {
 
 void runEditor(ui::Session& session, Attendant& attendant) {
     const auto wanted = sizeWanted(session);
+    const Toolkit toolkit; // before there is a second thread: it reads large files by letters
     Interface interface(ui::scaled({wanted.width, wanted.height, 1}, session.view));
     ui::InputQueue queue;
-    Window window(wanted, queue);
+    Window window(toolkit, wanted, queue);
     Renderer renderer;
     Clipboard clipboard{window, {}};
     shareClipboard(clipboard);
     Pace pace;
+    bool shown = false;
     while (true) {
         pace.wait(window, queue, session, attendant);
         const auto screen = window.screen();
@@ -129,7 +132,11 @@ void runEditor(ui::Session& session, Attendant& attendant) {
         if (!queue.empty()) {
             continue; // events that were caught up with are not worth showing one by one
         }
-        renderer.draw(frame, screen);
+        if (!std::exchange(shown, true)) {
+            renderer.drawPanels(frame, screen); // the curves come with the next frame
+        } else {
+            renderer.draw(frame, screen);
+        }
         window.swapBuffers();
         pace.drawn(frame.animating);
     }

@@ -30,8 +30,9 @@ constexpr int settlingFrames = 4;
 constexpr double frameSeconds = 1.0 / 60.0;
 
 class HiddenWindow : public OffscreenContext::Context {
+    Toolkit toolkit_;
     ui::InputQueue unheard_;
-    Window window_{WindowOptions{64, 64, "Splineloft", false}, unheard_};
+    Window window_{toolkit_, WindowOptions{64, 64, "Splineloft", false}, unheard_};
 };
 
 #ifdef SPLINELOFT_HAVE_EGL

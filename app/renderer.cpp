@@ -133,13 +133,15 @@ void Renderer::Batch::draw(std::span<const std::byte> instances, std::size_t cou
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-Renderer::Renderer()
-    : areas_("area", shaders::areaVertex, shaders::areaFragment, sizeof(AreaInstance),
-             areaAttributes),
-      ribbons_("ribbon", withSegments(shaders::ribbonVertex).c_str(), shaders::ribbonFragment,
-               sizeof(ui::RibbonVertex), ribbonAttributes),
-      signs_("sign", shaders::signVertex, shaders::signFragment, sizeof(ui::Sign), signAttributes),
-      pieces_("piece", withSegments(shaders::pieceVertex).c_str(), shaders::ribbonFragment) {
+Renderer::Tools::Tools()
+    : areas("area", shaders::areaVertex, shaders::areaFragment, sizeof(AreaInstance),
+            areaAttributes),
+      ribbons("ribbon", withSegments(shaders::ribbonVertex).c_str(), shaders::ribbonFragment,
+              sizeof(ui::RibbonVertex), ribbonAttributes),
+      signs("sign", shaders::signVertex, shaders::signFragment, sizeof(ui::Sign), signAttributes),
+      pieces("piece", withSegments(shaders::pieceVertex).c_str(), shaders::ribbonFragment) {}
+
+Renderer::Renderer() {
     if (ImGui::GetCurrentContext() != nullptr) {
         panels_ = ImGui_ImplOpenGL3_Init("#version 330 core");
     }
@@ -158,12 +160,28 @@ void Renderer::uploadFonts() {
 }
 
 void Renderer::draw(const ui::FrameResult& frame, const ui::Screen& screen) {
-    glViewport(0, 0, screen.width, screen.height);
-    clear(frame.background);
+    begin(frame, screen);
+    if (!tools_) {
+        tools_.emplace();
+    }
     for (const auto& picture : frame.pictures) {
         drawPicture(picture, frame.background, screen);
     }
     tables_.forgetUnused();
+    drawData();
+}
+
+void Renderer::drawPanels(const ui::FrameResult& frame, const ui::Screen& screen) {
+    begin(frame, screen);
+    drawData();
+}
+
+void Renderer::begin(const ui::FrameResult& frame, const ui::Screen& screen) {
+    glViewport(0, 0, screen.width, screen.height);
+    clear(frame.background);
+}
+
+void Renderer::drawData() {
     auto* const panels = panels_ ? ImGui::GetDrawData() : nullptr;
     if (panels != nullptr) {
         ImGui_ImplOpenGL3_RenderDrawData(panels);
@@ -200,13 +218,13 @@ void Renderer::drawAreas(std::span<const ui::Area> areas, const ui::Screen& scre
                              static_cast<float>(rect.right()), static_cast<float>(rect.bottom()),
                              fill});
     }
-    areas_.draw(std::as_bytes(std::span(instances)), instances.size(), screen);
+    tools_->areas.draw(std::as_bytes(std::span(instances)), instances.size(), screen);
 }
 
 void Renderer::drawRibbons(std::span<const ui::RibbonVertex> ribbons, const ui::Screen& screen) {
     constexpr std::size_t readAhead = 3;
     if (ribbons.size() > readAhead) {
-        ribbons_.draw(std::as_bytes(ribbons), ribbons.size() - readAhead, screen);
+        tools_->ribbons.draw(std::as_bytes(ribbons), ribbons.size() - readAhead, screen);
     }
 }
 
@@ -216,24 +234,26 @@ void Renderer::drawPieces(const ui::PieceStroke& stroke, const ui::Screen& scree
     const auto number = [](auto value) { return static_cast<int>(value); };
     const auto centreX = ui::split(stroke.centre.x);
     const auto centreY = ui::split(stroke.centre.y);
-    pieces_.use();
-    pieces_.set("screen", static_cast<float>(screen.width), static_cast<float>(screen.height));
-    pieces_.set("table_shape", std::array{table.degree, number(table.stride),
-                                          number(table.points.size()), number(stroke.closed)});
-    pieces_.set("centre", std::array{centreX[0], centreY[0], centreX[1], centreY[1]});
-    pieces_.set("placing",
-                std::array{static_cast<float>(stroke.origin.x), static_cast<float>(stroke.origin.y),
-                           static_cast<float>(stroke.pixelsPerUnit),
-                           static_cast<float>(stroke.line)});
-    pieces_.set("style",
-                std::array{stroke.style.width / 2, stroke.style.dash, stroke.style.gap, 0.0F});
-    pieces_.set("paint", numbersOf(stroke.style.colour));
-    noVertices_.bind();
+    tools_->pieces.use();
+    tools_->pieces.set("screen", static_cast<float>(screen.width),
+                       static_cast<float>(screen.height));
+    tools_->pieces.set("table_shape",
+                       std::array{table.degree, number(table.stride), number(table.points.size()),
+                                  number(stroke.closed)});
+    tools_->pieces.set("centre", std::array{centreX[0], centreY[0], centreX[1], centreY[1]});
+    tools_->pieces.set("placing", std::array{static_cast<float>(stroke.origin.x),
+                                             static_cast<float>(stroke.origin.y),
+                                             static_cast<float>(stroke.pixelsPerUnit),
+                                             static_cast<float>(stroke.line)});
+    tools_->pieces.set(
+        "style", std::array{stroke.style.width / 2, stroke.style.dash, stroke.style.gap, 0.0F});
+    tools_->pieces.set("paint", numbersOf(stroke.style.colour));
+    tools_->noVertices.bind();
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (const auto& run : stroke.runs) {
-        pieces_.set("run", std::array{number(run.first), number(run.last), number(run.segments),
-                                      number(run.step)});
+        tools_->pieces.set("run", std::array{number(run.first), number(run.last),
+                                             number(run.segments), number(run.step)});
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segmentsOf(run)));
     }
     glDisable(GL_BLEND);
@@ -244,7 +264,7 @@ void Renderer::drawPieces(const ui::PieceStroke& stroke, const ui::Screen& scree
 
 void Renderer::drawSigns(std::span<const ui::Sign> signs, const ui::Screen& screen) {
     if (!signs.empty()) {
-        signs_.draw(std::as_bytes(signs), signs.size(), screen);
+        tools_->signs.draw(std::as_bytes(signs), signs.size(), screen);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "ui/drawing.h"
 #include "ui/frame.h"
 
+#include <optional>
 #include <span>
 
 namespace splineloft::app {
@@ -27,6 +28,10 @@ class Renderer {
     /// Draws `frame`, then Dear ImGui's draw data if there is any, over all of the screen.
     void draw(const ui::FrameResult& frame, const ui::Screen& screen);
 
+    /// The same without the pictures: the panels round an empty canvas. Drivers take a while to
+    /// make the programs of the pictures ready, and need not before the window shows something.
+    void drawPanels(const ui::FrameResult& frame, const ui::Screen& screen);
+
   private:
     // One kind of thing to draw: instances of it, four corners each.
     struct Batch {
@@ -40,15 +45,24 @@ class Renderer {
         gl::VertexArray vertices;
     };
 
+    // What pictures are drawn with.
+    struct Tools {
+        Tools();
+
+        Batch areas, ribbons, signs;
+        gl::Program pieces;
+        gl::VertexArray noVertices; // all that is drawn of pieces comes from their table
+    };
+
+    void begin(const ui::FrameResult& frame, const ui::Screen& screen);
+    void drawData(); // Dear ImGui's
     void drawPicture(const ui::Picture& picture, ui::Colour behind, const ui::Screen& screen);
     void drawAreas(std::span<const ui::Area> areas, const ui::Screen& screen);
     void drawRibbons(std::span<const ui::RibbonVertex> ribbons, const ui::Screen& screen);
     void drawPieces(const ui::PieceStroke& stroke, const ui::Screen& screen);
     void drawSigns(std::span<const ui::Sign> signs, const ui::Screen& screen);
 
-    Batch areas_, ribbons_, signs_;
-    gl::Program pieces_;
-    gl::VertexArray noVertices_; // all that is drawn of pieces comes from their table
+    std::optional<Tools> tools_; // once there are pictures to draw
     PieceTables tables_;
     bool panels_ = false; // Dear ImGui is drawn too
 };

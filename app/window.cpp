@@ -217,14 +217,14 @@ struct Window::Listener {
     }
 };
 
-Window::Toolkit::Toolkit() {
+Toolkit::Toolkit() {
     if (glfwInit() != GLFW_TRUE) {
         throw WindowError("no window can be opened: " + toolkitFault() +
                           " (start it in a graphical session; `splineloft screenshot` needs none)");
     }
 }
 
-Window::Toolkit::~Toolkit() {
+Toolkit::~Toolkit() {
     glfwTerminate();
 }
 
@@ -236,7 +236,7 @@ void Window::Closed::operator()(GLFWcursor* cursor) const {
     glfwDestroyCursor(cursor);
 }
 
-Window::Window(const WindowOptions& options, ui::InputQueue& queue)
+Window::Window(const Toolkit&, const WindowOptions& options, ui::InputQueue& queue)
     : listener_(new Listener{queue}), title_(options.title) {
     askForCoreContext(options);
     window_.reset(

@@ -22,12 +22,22 @@ struct WindowOptions {
     bool visible = true; ///< a hidden one still has an OpenGL context
 };
 
+/// What windows are made with. One at a time, from before the first window until after the last.
+class Toolkit {
+  public:
+    /// Throws WindowError when there is no display.
+    Toolkit();
+    ~Toolkit();
+    Toolkit(const Toolkit&) = delete;
+    Toolkit& operator=(const Toolkit&) = delete;
+};
+
 /// A window with a current OpenGL 3.3 core context, its functions loaded.
 class Window {
   public:
     /// Opens the window, which pushes its events into `queue` for as long as it lives. Throws
-    /// WindowError when there is no display or no OpenGL 3.3.
-    Window(const WindowOptions& options, ui::InputQueue& queue);
+    /// WindowError when there is no OpenGL 3.3.
+    Window(const Toolkit&, const WindowOptions& options, ui::InputQueue& queue);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -59,19 +69,12 @@ class Window {
     void waitEvents(double seconds);
 
   private:
-    struct Toolkit { // started before the window, ended after it
-        Toolkit();
-        ~Toolkit();
-        Toolkit(const Toolkit&) = delete;
-        Toolkit& operator=(const Toolkit&) = delete;
-    };
     struct Listener; // what the callbacks need
     struct Closed {
         void operator()(GLFWwindow* window) const;
         void operator()(GLFWcursor* cursor) const;
     };
 
-    Toolkit toolkit_;
     std::unique_ptr<Listener> listener_;
     std::unique_ptr<GLFWwindow, Closed> window_;
     std::unique_ptr<GLFWcursor, Closed> cursor_;

@@ -195,4 +195,12 @@ const ImWchar* glyphRanges() {
     return ranges.data();
 }
 
+void drawGlyphs([[maybe_unused]] ImFontAtlas& atlas) {
+#if IMGUI_VERSION_NUM < 19200
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    atlas.GetTexDataAsRGBA32(&pixels, &width, &height); // which it keeps
+#endif
+}
+
 } // namespace splineloft::ui

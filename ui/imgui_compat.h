@@ -40,4 +40,8 @@ void releaseActiveWidget();
 /// mathematical signs and shapes. Versions from 1.92 on load glyphs as they are needed.
 const ImWchar* glyphRanges();
 
+/// Draws the glyphs of an atlas, up to the pixels that renderers ask for. Versions from 1.92 on do
+/// that when a renderer asks.
+void drawGlyphs(ImFontAtlas& atlas);
+
 } // namespace splineloft::ui

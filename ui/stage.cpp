@@ -168,7 +168,7 @@ void loadFonts(const Fonts& fonts, const Screen& screen) {
     load(fonts.regular, regularSize);
     load(fonts.regular, smallSize);
     load(fonts.bold.empty() ? fonts.regular : fonts.bold, regularSize);
-    atlas.Build();
+    drawGlyphs(atlas);
 }
 
 } // namespace splineloft::ui
