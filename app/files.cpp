@@ -1,6 +1,6 @@
 #include "app/files.h"
 
-#include "app/commands.h"
+#include "app/command_line/commands.h"
 #include "core/document/edits.h"
 #include "core/formats/document_json.h"
 #include "core/formats/file.h"

@@ -1,6 +1,6 @@
 // Splineloft: reads the command line, then opens the editor or does the one thing that was asked.
-#include "app/command_line.h"
-#include "app/commands.h"
+#include "app/command_line/command_line.h"
+#include "app/command_line/commands.h"
 #include "app/files.h"
 #include "app/image.h"
 #include "app/loop.h"

@@ -1,16 +1,23 @@
-// How often a law is tried.
+// How often something is tried. Under the sanitizers each try takes ten to twenty times as long,
+// and the question is another one.
 #pragma once
 
 namespace splineloft::testing_curves {
 
-/// So many random cases; a twentieth of them under the sanitizers, where each takes that much
-/// longer and the question is another one.
-constexpr int casesOf(int many) {
 #ifdef __SANITIZE_ADDRESS__
-    return many / 20;
+inline constexpr bool underSanitizers = true;
 #else
-    return many;
+inline constexpr bool underSanitizers = false;
 #endif
+
+/// So many random cases; a twentieth of them under the sanitizers.
+constexpr int casesOf(int many) {
+    return underSanitizers ? many / 20 : many;
+}
+
+/// So many rounds over something that is different each time; a quarter under the sanitizers.
+constexpr int roundsOf(int some) {
+    return underSanitizers ? (some + 3) / 4 : some;
 }
 
 } // namespace splineloft::testing_curves

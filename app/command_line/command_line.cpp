@@ -1,6 +1,6 @@
-#include "app/command_line.h"
+#include "app/command_line/command_line.h"
 
-#include "app/commands.h"
+#include "app/command_line/commands.h"
 #include "core/formats/file.h"
 #include "core/formats/numbers.h"
 

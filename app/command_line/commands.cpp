@@ -1,4 +1,4 @@
-#include "app/commands.h"
+#include "app/command_line/commands.h"
 
 #include "core/formats/document_json.h"
 #include "core/formats/file.h"

@@ -1,5 +1,5 @@
 // The catalog of families on the command line.
-#include "app/commands.h"
+#include "app/command_line/commands.h"
 
 #include "core/formats/json_text.h"
 #include "core/formats/numbers.h"

@@ -1,6 +1,6 @@
 #include "app/storage/keeper.h"
 
-#include "app/commands.h"
+#include "app/command_line/commands.h"
 #include "app/files.h"
 #include "app/storage/recent_files.h"
 #include "core/formats/file.h"

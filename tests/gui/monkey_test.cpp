@@ -3,6 +3,7 @@
 // memory does not grow. SPLINELOFT_SEED chooses its mood, SPLINELOFT_EVENTS its patience.
 #include "chance.h"
 #include "driver.h"
+#include "tests/cases.h"
 
 #include "ui/canvas/viewport.h"
 #include "ui/commands.h"
@@ -172,8 +173,9 @@ class Account {
 constexpr int eventsToFillMemory = 200'000;
 
 TEST(Monkey, breaksNothing) {
+    constexpr auto usual = testing_curves::underSanitizers ? 5'000 : 20'000;
     const auto seed = numberFrom("SPLINELOFT_SEED", 20'240'229);
-    const auto events = static_cast<int>(numberFrom("SPLINELOFT_EVENTS", 20'000));
+    const auto events = static_cast<int>(numberFrom("SPLINELOFT_EVENTS", usual));
     SCOPED_TRACE("SPLINELOFT_SEED=" + std::to_string(seed));
     std::cout << "SPLINELOFT_SEED=" << seed << " SPLINELOFT_EVENTS=" << events << std::endl;
     Monkey monkey(seed);

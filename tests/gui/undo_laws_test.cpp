@@ -3,7 +3,7 @@
 // again, byte for byte. SPLINELOFT_SEED chooses which commands, SPLINELOFT_COMMANDS how many.
 #include "chance.h"
 #include "driver.h"
-#include "tests/property/cases.h"
+#include "tests/cases.h"
 
 #include "core/document/edits.h"
 #include "core/formats/document_json.h"

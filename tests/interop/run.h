@@ -1,7 +1,7 @@
 // The command line, called as main calls it, for tests.
 #pragma once
 
-#include "app/command_line.h"
+#include "app/command_line/command_line.h"
 
 #include <sstream>
 #include <string>

@@ -1,6 +1,6 @@
 // Laws of arc length on random pieces: near cusps, of every kind of piece, and back from lengths to
 // spots.
-#include "tests/property/cases.h"
+#include "tests/cases.h"
 #include "tests/property/hard_pieces.h"
 #include "tests/property/random_curves.h"
 

@@ -1,6 +1,6 @@
 // The nearest spot against trying very many, on pieces of every kind; and the index against no
 // index.
-#include "tests/property/cases.h"
+#include "tests/cases.h"
 #include "tests/property/hard_pieces.h"
 #include "tests/property/random_curves.h"
 

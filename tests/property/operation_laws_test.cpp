@@ -1,5 +1,5 @@
 // What geometric operations promise, on a hundred thousand random curves.
-#include "tests/property/cases.h"
+#include "tests/cases.h"
 #include "tests/property/random_pieces.h"
 
 #include "core/spline/measure/nearest.h"
@@ -351,8 +351,8 @@ bool onCurve(const Pieces& pieces, const std::vector<Spot>& spots) {
 }
 
 TEST(OperationLaws, nothingBreaksOnDegenerateCurves) {
-    for (std::uint64_t seed = 0; seed < 5'000; ++seed) {
-        Dice dice(seed);
+    for (int seed = 0; seed < casesOf(5'000); ++seed) {
+        Dice dice(static_cast<std::uint64_t>(seed));
         const Pieces pieces = piecesOnAGrid(dice);
         SCOPED_TRACE("seed " + std::to_string(seed) + ": " + wordsOf(pieces));
         const double size = extentOf(pieces);

@@ -3,7 +3,7 @@
 #include "core/spline/change/convert.h"
 #include "core/spline/change/knots.h"
 #include "core/spline/change/shape.h"
-#include "tests/property/cases.h"
+#include "tests/cases.h"
 #include "tests/property/random_curves.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST_P(Knots, oneMoreChangesNothing) {
 }
 
 TEST_P(Knots, untilEachStandsDegreeTimesAreTheBezierPoints) {
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    for (std::uint64_t seed = 1; seed <= roundsOf(200); ++seed) {
         Curve curve = rolled(GetParam(), seed);
         SCOPED_TRACE(wordsOf(curve) + " seed " + std::to_string(seed));
         const Pieces pieces = piecesOf(curve);
