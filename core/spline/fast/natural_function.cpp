@@ -17,6 +17,7 @@ namespace {
 
 // Sizes between these need no care: products and quotients of a few do not overflow.
 constexpr double tiny = 0x1p-250;
+constexpr double narrow = 0x1p-150;
 constexpr double huge = 0x1p250;
 
 // So many places are worked out side by side: their waits for memory and division overlap.
@@ -101,7 +102,10 @@ void NaturalFunction::refit(std::span<const double> x, std::span<const double> y
     std::ranges::copy(x, values_.begin());
     std::ranges::copy(y, values_.begin() + static_cast<std::ptrdiff_t>(size_));
     normalize(survey.isModest);
-    solveNaturalSlopes(xs(), ys(), std::span(values_).last(size_));
+    NaturalSlopes solver(xs(), ys(), std::span(values_).last(size_));
+    for (std::size_t block = 0; block < solver.blocks(); ++block) {
+        solver.solve(block);
+    }
     fillBuckets();
 }
 
@@ -109,7 +113,7 @@ void NaturalFunction::normalize(bool isModest) {
     xExponent_ = yExponent_ = 0;
     xFactor_ = yFactor_ = 1;
     const double whole = xs().back() / 2 - xs().front() / 2;
-    if (!(whole >= tiny && whole <= huge)) {
+    if (!(whole >= narrow && whole <= huge)) {
         xExponent_ = exponentFor(std::max(whole, std::numeric_limits<double>::min()));
         xFactor_ = std::ldexp(1, -xExponent_);
         for (auto& value : std::span(values_).first(size_)) {

@@ -1,80 +1,102 @@
 #include "core/spline/fast/natural_slopes.h"
 
-#include "core/spline/families/tridiagonal.h"
-#include "core/spline/fast/lanes/natural_lanes.h"
-
-#include <cstddef>
-#include <functional>
-#include <memory>
+#include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace splineloft {
 namespace {
 
-/// Row i, of the slopes m, says that the second derivatives of both its pieces agree:
-/// h[i] m[i-1] + 2 (h[i-1] + h[i]) m[i] + h[i-1] m[i+1] = 3 (h[i] s[i-1] + h[i-1] s[i])
-/// with intervals h[i] = x[i+1] - x[i] and slopes s[i] of the chords. At the ends the second
-/// derivative is none: 2 m[0] + m[1] = 3 s[0]. The equations of the second derivatives themselves
-/// are as quick, but nothing here gets larger than the slopes do.
-class SlopeRows {
-  public:
-    SlopeRows(std::span<const double> x, std::span<const double> y) : x_(x), y_(y) {}
-
-    families::Rows<double> operator()(std::size_t first, std::size_t last) {
-        const std::size_t count = last - first;
-        reserve(count);
-        // Of intervals and chords, entry k is the piece before row first + k. Those that are
-        // missing at the ends are as long as their neighbours, and level.
-        const bool atStart = first == 0;
-        const bool atEnd = last == x_.size();
-        const std::size_t begin = atStart ? 1 : 0;
-        const std::size_t end = atEnd ? count : count + 1;
-        lanes::measureChords(x_.data() + first + begin - 1, y_.data() + first + begin - 1,
-                             end - begin, intervals_ + begin, chords_ + begin);
-        if (atStart) {
-            intervals_[0] = intervals_[1];
-            chords_[0] = 0;
-        }
-        if (atEnd) {
-            intervals_[count] = intervals_[count - 1];
-            chords_[count] = 0;
-        }
-        lanes::formSlopeRows(intervals_, chords_, count, diagonal_, right_);
-        if (atStart) {
-            diagonal_[0] = 2 * intervals_[0];
-        }
-        if (atEnd) {
-            diagonal_[count - 1] = 2 * intervals_[count];
-        }
-        return {{intervals_ + 1, count}, {diagonal_, count}, {intervals_, count}, {right_, count}};
-    }
-
-  private:
-    void reserve(std::size_t count) {
-        if (count > room_) {
-            room_ = count;
-            memory_ = std::make_unique_for_overwrite<double[]>(4 * count + 2);
-            intervals_ = memory_.get();
-            chords_ = intervals_ + count + 1;
-            diagonal_ = chords_ + count + 1;
-            right_ = diagonal_ + count;
-        }
-    }
-
-    std::span<const double> x_, y_;
-    std::size_t room_ = 0;
-    std::unique_ptr<double[]> memory_; ///< of the four that follow
-    double* intervals_ = nullptr;
-    double* chords_ = nullptr;
-    double* diagonal_ = nullptr;
-    double* right_ = nullptr;
-};
+// What a block has of each kind is 33 kB, up to twice that in the last one: the second-level cache
+// holds it all. Chains 264 rows apart begin in different lines of the first-level cache; 256 rows
+// apart many would share one.
+constexpr std::size_t blockRows = 16 * 264;
 
 } // namespace
 
-void solveNaturalSlopes(std::span<const double> x, std::span<const double> y,
-                        std::span<double> slopes) {
-    SlopeRows rows(x, y);
-    families::solveInChains(std::ref(rows), slopes);
+NaturalSlopes::NaturalSlopes(std::span<const double> x, std::span<const double> y,
+                             std::span<double> slopes)
+    : x_(x), y_(y), slopes_(slopes), chains_(lanes::slopeChains()) {
+    const std::size_t rows = x.size() - 2;
+    const bool few = rows < chains_ * lanes::leastChain;
+    cut(few ? 0 : std::max<std::size_t>(1, rows / blockRows));
+}
+
+/// All blocks are equal but the last, which takes what is left over, short of a row a chain.
+void NaturalSlopes::cut(std::size_t blocks) {
+    blocks_ = blocks;
+    if (blocks > 0) {
+        length_ = blocks > 1 ? blockRows / chains_ : 0;
+        lastLength_ = (x_.size() - 1 - firstOf(blocks - 1)) / chains_;
+        room_ = std::max(length_, lastLength_) * chains_ / std::size(Line{}.numbers) + 1;
+        columns_ = std::make_unique_for_overwrite<Line[]>((blocks > 1 ? 5 : 3) * room_);
+    }
+}
+
+std::size_t NaturalSlopes::blocks() const {
+    return std::max<std::size_t>(1, blocks_);
+}
+
+std::size_t NaturalSlopes::pointsFor(std::size_t block) const {
+    return block + 1 < blocks_ ? firstOf(block + 1) + 1 : x_.size();
+}
+
+lanes::SlopeBlock NaturalSlopes::columnsOf(std::size_t block) const {
+    Line* const over = columns_.get() + (block % 2 == 0 ? 1 : 3) * room_;
+    Line* const reduced = over + room_;
+    return {firstOf(block), block + 1 < blocks_ ? length_ : lastLength_, over->numbers,
+            reduced->numbers};
+}
+
+double NaturalSlopes::firstChord() const {
+    return 3 * ((y_[1] - y_[0]) / (x_[1] - x_[0]));
+}
+
+void NaturalSlopes::solve(std::size_t block) {
+    if (block == 0) { // 2 m[0] + m[1] = chord
+        state_ = {firstChord(), 0.5, firstChord() / 2};
+    }
+    if (block < blocks_) {
+        const auto columns = columnsOf(block);
+        state_ = lanes::eliminate(x_.data(), y_.data(), columns, state_);
+        if (block > 0) {
+            substitute(block - 1, lanes::foreseenSlope(columns));
+        }
+    }
+    if (block + 1 >= blocks_) {
+        solveRest();
+    }
+}
+
+void NaturalSlopes::substitute(std::size_t block, double next) {
+    const auto columns = columnsOf(block);
+    lanes::substitute(columns, next, columns_[0].numbers, slopes_.data());
+    if (block > 0 && slopes_[columns.first] != foreseen_) {
+        wasForeseen_ = false;
+    }
+    foreseen_ = next;
+}
+
+/// The rows behind the last block, m[n-2] + 2 m[n-1] = chord, and backwards from there.
+void NaturalSlopes::solveRest() {
+    const std::size_t last = x_.size() - 1;
+    const std::size_t first = blocks_ > 0 ? firstOf(blocks_ - 1) + lastLength_ * chains_ : 1;
+    std::array<double, lanes::mostSlopeChains * lanes::leastChain> over;
+    state_ = lanes::eliminateOneByOne(x_.data(), y_.data(), first, last - first, state_,
+                                      over.data(), &slopes_[first]);
+    slopes_[last] = (state_.chord - state_.reduced) / (2 - state_.over);
+    for (std::size_t i = last; i-- > first;) {
+        slopes_[i] -= over[i - first] * slopes_[i + 1];
+    }
+    if (blocks_ > 0) {
+        substitute(blocks_ - 1, slopes_[first]);
+    }
+    slopes_[0] = (firstChord() - slopes_[1]) / 2;
+    if (!wasForeseen_) { // values so different that even 2^-64 of one is felt
+        wasForeseen_ = true;
+        cut(1);
+        solve(0);
+    }
 }
 
 } // namespace splineloft
