@@ -99,69 +99,75 @@ void NaturalFunction::refit(std::span<const double> x, std::span<const double> y
     }
     size_ = x.size();
     values_.resize(3 * size_);
-    std::ranges::copy(x, values_.begin());
-    std::ranges::copy(y, values_.begin() + static_cast<std::ptrdiff_t>(size_));
-    normalize(survey.isModest);
+    normalize(x, y, survey.isModest);
+    beginBuckets(x.front() * xFactor_, x.back() * xFactor_);
     NaturalSlopes solver(xs(), ys(), std::span(values_).last(size_));
+    std::size_t brought = 0;
     for (std::size_t block = 0; block < solver.blocks(); ++block) {
+        const std::size_t end = solver.pointsFor(block);
+        bring(x.first(end), y.first(end), brought);
+        fillBuckets(brought, end);
         solver.solve(block);
+        brought = end;
     }
-    fillBuckets();
 }
 
-void NaturalFunction::normalize(bool isModest) {
+/// Chooses our units.
+void NaturalFunction::normalize(std::span<const double> x, std::span<const double> y,
+                                bool isModest) {
     xExponent_ = yExponent_ = 0;
-    xFactor_ = yFactor_ = 1;
-    const double whole = xs().back() / 2 - xs().front() / 2;
+    const double whole = x.back() / 2 - x.front() / 2;
     if (!(whole >= narrow && whole <= huge)) {
         xExponent_ = exponentFor(std::max(whole, std::numeric_limits<double>::min()));
-        xFactor_ = std::ldexp(1, -xExponent_);
-        for (auto& value : std::span(values_).first(size_)) {
-            value *= xFactor_;
-        }
     }
-    if (!isModest || allTiny(ys())) {
+    if (!isModest || allTiny(y)) {
         const auto bySize = [](double a, double b) { return std::abs(a) < std::abs(b); };
-        yExponent_ = exponentFor(std::abs(*std::ranges::max_element(ys(), bySize)));
-        yFactor_ = std::ldexp(1, yExponent_);
-        for (auto& value : std::span(values_).subspan(size_, size_)) {
-            value = std::ldexp(value, -yExponent_);
-        }
+        yExponent_ = exponentFor(std::abs(*std::ranges::max_element(y, bySize)));
     }
+    xFactor_ = std::ldexp(1, -xExponent_);
+    yFactor_ = std::ldexp(1, yExponent_);
 }
 
-// Of so many buckets beside each other, the first entries are written at once.
-constexpr std::size_t ahead = 4;
-
-/// Never falls as x rises, however it is rounded; so what is in a bucket is between all that is in
-/// earlier and in later ones.
-std::size_t NaturalFunction::bucketOf(double x) const {
-    return static_cast<std::size_t>(
-        static_cast<std::int64_t>((x - xs().front()) * bucketsPerUnit_));
+/// Takes over the points from `first` on.
+void NaturalFunction::bring(std::span<const double> x, std::span<const double> y,
+                            std::size_t first) {
+    const auto take = [first](std::span<const double> from, double* to, int exponent) {
+        std::ranges::copy(from.subspan(first), to + first);
+        for (auto& value :
+             std::span(to, from.size()).subspan(exponent == 0 ? from.size() : first)) {
+            value = std::ldexp(value, -exponent);
+        }
+    };
+    take(x, values_.data(), xExponent_);
+    take(y, values_.data() + size_, yExponent_);
 }
 
-void NaturalFunction::fillBuckets() {
+void NaturalFunction::beginBuckets(double start, double end) {
     const std::size_t pieces = size() - 1;
-    bucketsPerUnit_ = static_cast<double>(pieces) / (xs().back() - xs().front());
+    buckets_ = {start, static_cast<double>(pieces) / (end - start)};
     // The end may be rounded up into another.
-    lastBefore_.resize(pieces + 2 + ahead);
-    auto* const table = lastBefore_.data();
+    lastBefore_.resize(pieces + 2 + lanes::bucketsAhead);
+    std::fill_n(lastBefore_.begin(), lanes::bucketsAhead + 1, 0);
+    firstStep_ = pieces > 1 ? 1 : 0;
+}
+
+/// Enters the points in turn, those that begin a piece.
+void NaturalFunction::fillBuckets(std::size_t first, std::size_t last) {
+    const std::size_t pieces = size() - 1;
     const auto* const x = values_.data();
-    std::fill_n(table, ahead + 1, 0);
-    std::size_t last = 0;                // bucket
-    std::uint32_t here = 0, fullest = 0; // points in it, and in the fullest one
-    for (std::uint32_t i = 1; i < pieces; ++i) {
-        const auto bucket = bucketOf(x[i]);
-        here = (bucket == last ? here : 0) + 1;
-        fullest = std::max(fullest, here);
-        if (bucket > last + ahead) {
-            std::fill(table + last + ahead + 1, table + bucket + 1, i - 1);
+    const std::size_t begin = std::max<std::size_t>(first, 1);
+    const std::size_t end = std::min(last, pieces);
+    if (begin < end) {
+        lanes::fillBuckets(buckets_, x, begin, end, lastBefore_.data());
+        while (lanes::shareBucket(buckets_, x, begin, end, 2 * firstStep_ - 1)) {
+            firstStep_ *= 2;
         }
-        std::fill_n(table + bucket + 1, ahead, i);
-        last = bucket;
     }
-    std::fill(table + last + 1, table + lastBefore_.size(), static_cast<std::uint32_t>(pieces - 1));
-    firstStep_ = std::bit_floor(fullest);
+    if (last > pieces) {
+        const auto behind =
+            lastBefore_.begin() + static_cast<std::ptrdiff_t>(buckets_.of(x[pieces - 1]) + 1);
+        std::fill(behind, lastBefore_.end(), static_cast<std::uint32_t>(pieces - 1));
+    }
 }
 
 /// The piece `step` pieces on, if it begins at or before x, else `piece`. Without a branch, as half
@@ -173,7 +179,7 @@ inline std::size_t NaturalFunction::towards(double x, std::size_t piece, std::si
 
 inline NaturalFunction::Place NaturalFunction::clamp(double x) const {
     const double within = std::min(std::max(xs().front(), x * xFactor_), xs().back());
-    return {lastBefore_[bucketOf(within)], within, x * xFactor_ - within};
+    return {lastBefore_[buckets_.of(within)], within, x * xFactor_ - within};
 }
 
 inline NaturalFunction::Place NaturalFunction::locate(double x) const {

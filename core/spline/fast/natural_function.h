@@ -2,6 +2,8 @@
 // that bends least. For tables of measurements; curves that people draw are the family "natural".
 #pragma once
 
+#include "core/spline/fast/lanes/bucket_lanes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -55,9 +57,10 @@ class NaturalFunction {
     std::span<const double> ys() const { return {values_.data() + size_, size_}; }
     std::span<const double> slopes() const { return {values_.data() + 2 * size_, size_}; }
 
-    void normalize(bool isModest);
-    void fillBuckets();
-    std::size_t bucketOf(double x) const;
+    void normalize(std::span<const double> x, std::span<const double> y, bool isModest);
+    void bring(std::span<const double> x, std::span<const double> y, std::size_t first);
+    void beginBuckets(double start, double end);
+    void fillBuckets(std::size_t first, std::size_t last);
     std::size_t towards(double x, std::size_t piece, std::size_t step) const;
     Place clamp(double x) const;
     Place locate(double x) const;
@@ -79,7 +82,7 @@ class NaturalFunction {
     // As many buckets as pieces, equally wide: each names the last piece that begins before it.
     // From there halving steps lead on, as many as the fullest bucket needs.
     std::vector<std::uint32_t> lastBefore_;
-    double bucketsPerUnit_ = 0;
+    lanes::Buckets buckets_;
     std::size_t firstStep_ = 0; ///< a power of 2, or 0
 };
 
