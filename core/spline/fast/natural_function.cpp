@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -100,13 +99,13 @@ void NaturalFunction::refit(std::span<const double> x, std::span<const double> y
     size_ = x.size();
     values_.resize(3 * size_);
     normalize(x, y, survey.isModest);
-    beginBuckets(x.front() * xFactor_, x.back() * xFactor_);
+    table_.begin(size_ - 1, x.front() * xFactor_, x.back() * xFactor_);
     NaturalSlopes solver(xs(), ys(), std::span(values_).last(size_));
     std::size_t brought = 0;
     for (std::size_t block = 0; block < solver.blocks(); ++block) {
         const std::size_t end = solver.pointsFor(block);
         bring(x.first(end), y.first(end), brought);
-        fillBuckets(brought, end);
+        table_.enter(values_.data(), brought, end);
         solver.solve(block);
         brought = end;
     }
@@ -132,7 +131,7 @@ void NaturalFunction::normalize(std::span<const double> x, std::span<const doubl
 void NaturalFunction::bring(std::span<const double> x, std::span<const double> y,
                             std::size_t first) {
     const auto take = [first](std::span<const double> from, double* to, int exponent) {
-        std::ranges::copy(from.subspan(first), to + first);
+        std::copy(from.data() + first, from.data() + from.size(), to + first);
         for (auto& value :
              std::span(to, from.size()).subspan(exponent == 0 ? from.size() : first)) {
             value = std::ldexp(value, -exponent);
@@ -140,34 +139,6 @@ void NaturalFunction::bring(std::span<const double> x, std::span<const double> y
     };
     take(x, values_.data(), xExponent_);
     take(y, values_.data() + size_, yExponent_);
-}
-
-void NaturalFunction::beginBuckets(double start, double end) {
-    const std::size_t pieces = size() - 1;
-    buckets_ = {start, static_cast<double>(pieces) / (end - start)};
-    // The end may be rounded up into another.
-    lastBefore_.resize(pieces + 2 + lanes::bucketsAhead);
-    std::fill_n(lastBefore_.begin(), lanes::bucketsAhead + 1, 0);
-    firstStep_ = pieces > 1 ? 1 : 0;
-}
-
-/// Enters the points in turn, those that begin a piece.
-void NaturalFunction::fillBuckets(std::size_t first, std::size_t last) {
-    const std::size_t pieces = size() - 1;
-    const auto* const x = values_.data();
-    const std::size_t begin = std::max<std::size_t>(first, 1);
-    const std::size_t end = std::min(last, pieces);
-    if (begin < end) {
-        lanes::fillBuckets(buckets_, x, begin, end, lastBefore_.data());
-        while (lanes::shareBucket(buckets_, x, begin, end, 2 * firstStep_ - 1)) {
-            firstStep_ *= 2;
-        }
-    }
-    if (last > pieces) {
-        const auto behind =
-            lastBefore_.begin() + static_cast<std::ptrdiff_t>(buckets_.of(x[pieces - 1]) + 1);
-        std::fill(behind, lastBefore_.end(), static_cast<std::uint32_t>(pieces - 1));
-    }
 }
 
 /// The piece `step` pieces on, if it begins at or before x, else `piece`. Without a branch, as half
@@ -179,12 +150,12 @@ inline std::size_t NaturalFunction::towards(double x, std::size_t piece, std::si
 
 inline NaturalFunction::Place NaturalFunction::clamp(double x) const {
     const double within = std::min(std::max(xs().front(), x * xFactor_), xs().back());
-    return {lastBefore_[buckets_.of(within)], within, x * xFactor_ - within};
+    return {table_.pieceBefore(within), within, x * xFactor_ - within};
 }
 
 inline NaturalFunction::Place NaturalFunction::locate(double x) const {
     Place place = clamp(x);
-    for (std::size_t step = firstStep_; step > 0; step /= 2) {
+    for (std::size_t step = table_.firstStep(); step > 0; step /= 2) {
         place.piece = towards(place.x, place.piece, step);
     }
     return place;
@@ -226,7 +197,7 @@ void NaturalFunction::evaluate(std::span<const double> x, std::span<double> out)
             within[k] = place.x;
             pieces[k] = place.piece;
         }
-        for (std::size_t step = firstStep_; step > 0; step /= 2) {
+        for (std::size_t step = table_.firstStep(); step > 0; step /= 2) {
             for (std::size_t k = 0; k < count; ++k) {
                 pieces[k] = towards(within[k], pieces[k], step);
             }

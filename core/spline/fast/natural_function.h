@@ -2,10 +2,9 @@
 // that bends least. For tables of measurements; curves that people draw are the family "natural".
 #pragma once
 
-#include "core/spline/fast/lanes/bucket_lanes.h"
+#include "core/spline/fast/piece_table.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -59,8 +58,6 @@ class NaturalFunction {
 
     void normalize(std::span<const double> x, std::span<const double> y, bool isModest);
     void bring(std::span<const double> x, std::span<const double> y, std::size_t first);
-    void beginBuckets(double start, double end);
-    void fillBuckets(std::size_t first, std::size_t last);
     std::size_t towards(double x, std::size_t piece, std::size_t step) const;
     Place clamp(double x) const;
     Place locate(double x) const;
@@ -79,11 +76,7 @@ class NaturalFunction {
     int xExponent_ = 0, yExponent_ = 0;
     double xFactor_ = 1, yFactor_ = 1; ///< into our units of x; out of our units of y
 
-    // As many buckets as pieces, equally wide: each names the last piece that begins before it.
-    // From there halving steps lead on, as many as the fullest bucket needs.
-    std::vector<std::uint32_t> lastBefore_;
-    lanes::Buckets buckets_;
-    std::size_t firstStep_ = 0; ///< a power of 2, or 0
+    PieceTable table_;
 };
 
 } // namespace splineloft

@@ -1,5 +1,4 @@
-// The table in which a value finds the place that it has among many, compiled for every set of
-// instructions.
+// Which of equally wide buckets values fall into, compiled for every set of instructions.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +6,7 @@
 
 namespace splineloft::lanes {
 
-/// Equally wide buckets for values from `start` on.
+/// Buckets for values from `start` on, fewer than 2^32.
 struct Buckets {
     double start = 0, perUnit = 0;
 
@@ -18,17 +17,8 @@ struct Buckets {
     }
 };
 
-/// Of so many buckets beside each other, the entries are written at once.
-inline constexpr std::size_t bucketsAhead = 4;
-
-/// For values x[first] to x[last - 1], first > 0, which rise as those before them do: behind the
-/// bucket of each, entries get its number, up to the next one's bucket, or `bucketsAhead` of them.
-void fillBuckets(const Buckets& buckets, const double* x, std::size_t first, std::size_t last,
-                 std::uint32_t* entries);
-
-/// Whether one of these values is in the same bucket as x[i - distance], i its number; of which the
-/// first `distance` do not count.
-bool shareBucket(const Buckets& buckets, const double* x, std::size_t first, std::size_t last,
-                 std::size_t distance);
+/// The buckets of rising values, as `of` says.
+void findBuckets(const Buckets& buckets, const double* values, std::size_t count,
+                 std::uint32_t* found);
 
 } // namespace splineloft::lanes

@@ -261,44 +261,49 @@ void foreseeNexts(const SlopeBlock& block, double next, double* nexts) {
 }
 
 /// Whatever chains have foreseen wrongly they go through again, until that changes nothing.
-void repairSlopes(const SlopeBlock& block, const double* nexts, double* columns) {
+void repairSlopes(const SlopeBlock& block, const double* nexts, double* slopes) {
     const Single d;
     for (std::size_t chain = chains() - 1; chain-- > 0;) {
-        double slope = columns[chain + 1];
-        if (slope == nexts[chain]) {
-            continue;
-        }
-        for (std::size_t row = block.length; row-- > 0;) {
+        double* const own = slopes + chain * block.length;
+        double slope = own[block.length];
+        for (std::size_t row = slope == nexts[chain] ? 0 : block.length; row-- > 0;) {
             const auto at = row * chains() + chain;
             slope = hn::GetLane(slopeBefore(d, block, at, hn::Set(d, slope)));
-            if (slope == columns[at]) {
+            if (slope == own[row]) {
                 break;
             }
-            columns[at] = slope;
+            own[row] = slope;
         }
     }
 }
 
-/// Column after column.
-void writeColumns(const double* columns, std::size_t length, double* out) {
+// Slopes come in columns, of which so many rows are turned into chains at once: they stay in the
+// first-level cache, and the last of them have left the processor's queue of stores.
+constexpr std::size_t tileRows = 64;
+
+/// Writes column after column, each `stride` behind the one before.
+HWY_INLINE void writeColumns(const double* columns, std::size_t rows, double* out,
+                             std::size_t stride) {
     const Doubles d;
     const Indices indices;
     const auto lanes = hn::Lanes(d);
-    const auto rows =
+    const auto steps =
         hn::Mul(hn::Iota(indices, 0), hn::Set(indices, static_cast<std::int64_t>(chains())));
-    for (std::size_t chain = 0; chain < chains(); ++chain) {
-        std::size_t row = 0;
-        for (; row + lanes <= length; row += lanes) {
-            hn::StoreU(hn::GatherIndex(d, columns + row * chains() + chain, rows), d, out + row);
+    std::size_t row = 0;
+    for (; row + lanes <= rows; row += lanes) {
+        for (std::size_t chain = 0; chain < chains(); ++chain) {
+            const auto column = hn::GatherIndex(d, columns + row * chains() + chain, steps);
+            hn::StoreU(column, d, out + chain * stride + row);
         }
-        for (; row < length; ++row) {
-            out[row] = columns[row * chains() + chain];
+    }
+    for (; row < rows; ++row) {
+        for (std::size_t chain = 0; chain < chains(); ++chain) {
+            out[chain * stride + row] = columns[row * chains() + chain];
         }
-        out += length;
     }
 }
 
-void substituteBlock(const SlopeBlock& block, double next, double* columns, double* slopes) {
+void substituteBlock(const SlopeBlock& block, double next, double* HWY_RESTRICT slopes) {
     const Doubles d;
     double nexts[mostSlopeChains];
     foreseeNexts(block, next, nexts);
@@ -306,15 +311,20 @@ void substituteBlock(const SlopeBlock& block, double next, double* columns, doub
     for (std::size_t v = 0; v < vectors; ++v) {
         slope[v] = hn::LoadU(d, nexts + v * hn::Lanes(d));
     }
-    for (std::size_t row = block.length; row-- > 0;) {
-        for (std::size_t v = 0; v < vectors; ++v) {
-            const auto at = row * chains() + v * hn::Lanes(d);
-            slope[v] = slopeBefore(d, block, at, slope[v]);
-            hn::StoreU(slope[v], d, columns + at);
+    HWY_ALIGN double tile[tileRows * mostSlopeChains];
+    for (std::size_t end = block.length; end > 0;) {
+        const std::size_t rows = HWY_MIN(tileRows, end);
+        end -= rows;
+        for (std::size_t row = rows; row-- > 0;) {
+            for (std::size_t v = 0; v < vectors; ++v) {
+                const auto column = v * hn::Lanes(d);
+                slope[v] = slopeBefore(d, block, (end + row) * chains() + column, slope[v]);
+                hn::Store(slope[v], d, tile + row * chains() + column);
+            }
         }
+        writeColumns(tile, rows, slopes + end, block.length);
     }
-    repairSlopes(block, nexts, columns);
-    writeColumns(columns, block.length, slopes + block.first);
+    repairSlopes(block, nexts, slopes);
 }
 
 double foresee(const SlopeBlock& block) {
@@ -361,8 +371,8 @@ double foreseenSlope(const SlopeBlock& block) {
     return HWY_DYNAMIC_DISPATCH(foresee)(block);
 }
 
-void substitute(const SlopeBlock& block, double next, double* columns, double* slopes) {
-    HWY_DYNAMIC_DISPATCH(substituteBlock)(block, next, columns, slopes);
+void substitute(const SlopeBlock& block, double next, double* slopes) {
+    HWY_DYNAMIC_DISPATCH(substituteBlock)(block, next, slopes);
 }
 
 } // namespace splineloft::lanes

@@ -40,8 +40,7 @@ SlopeState eliminateOneByOne(const double* x, const double* y, std::size_t first
 /// follows the block.
 double foreseenSlope(const SlopeBlock& block);
 
-/// The slopes at the points of a block, from the one behind it. `columns`, as large as those of the
-/// block, is room for them on the way. The first of it is the first slope.
-void substitute(const SlopeBlock& block, double next, double* columns, double* slopes);
+/// The slopes at the points of a block, from the one behind it.
+void substitute(const SlopeBlock& block, double next, double* slopes);
 
 } // namespace splineloft::lanes
