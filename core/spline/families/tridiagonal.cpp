@@ -130,7 +130,7 @@ struct BackSubstitution {
 /// Solves block by block, so that all in between stays in the cache. The last rows of a block need
 /// what follows them: its first `rowsAhead` rows have to do. Returns whether they did, to the last
 /// bit: whether each block's guess of the next one's first value was its value.
-bool solveInBlocks(const RowSource& source, std::span<double> solution, std::size_t block) {
+bool solveInBlocks(const Rows<double>& rows, std::span<double> solution, std::size_t block) {
     const std::size_t n = solution.size();
     const std::size_t room = std::min(n, block + rowsAhead);
     const auto over = std::make_unique_for_overwrite<double[]>(room);
@@ -140,9 +140,8 @@ bool solveInBlocks(const RowSource& source, std::span<double> solution, std::siz
     for (std::size_t first = 0; first < n;) {
         const std::size_t end = n - first <= room ? n : first + block;
         const std::size_t seen = std::min(n, end + rowsAhead);
-        const auto rows = source(first, seen);
-        runInLanes(Elimination{rows.below.data(), rows.diagonal.data(), rows.above.data(),
-                               rows.right.data(), over.get(), reduced.get()},
+        runInLanes(Elimination{&rows.below[first], &rows.diagonal[first], &rows.above[first],
+                               &rows.right[first], over.get(), reduced.get()},
                    seen - first, before);
         double next = 0;
         for (std::size_t i = seen - first; i-- > end - first;) {
@@ -163,7 +162,7 @@ bool solveInBlocks(const RowSource& source, std::span<double> solution, std::siz
 
 } // namespace
 
-void solveInChains(const RowSource& rows, std::span<double> solution) {
+void solveInChains(const Rows<double>& rows, std::span<double> solution) {
     const std::size_t n = solution.size();
     const std::size_t blocks = n / mostBlockRows + 1; // equal ones: a short one gains little
     if (!solveInBlocks(rows, solution, n / blocks + 1)) {

@@ -7,7 +7,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -40,25 +39,15 @@ template <Blendable T> std::vector<T> solveRowByRow(const Rows<T>& rows) {
     return solution;
 }
 
-/// Answers with the rows [first, last) of a system. They need only live until the next call.
-using RowSource = std::function<Rows<double>(std::size_t first, std::size_t last)>;
-
 /// The solution that solveRowByRow finds, bit for bit (where the compiler does not fuse products
-/// into sums differently in the two), into `solution`, several times as fast. The rows are asked
-/// for in blocks that fit the cache and may be asked for more than once; none of them may lie in
-/// `solution`.
-void solveInChains(const RowSource& rows, std::span<double> solution);
+/// into sums differently in the two), into `solution`, several times as fast.
+void solveInChains(const Rows<double>& rows, std::span<double> solution);
 
 /// Solves a system of any size. O(n).
 template <Blendable T> std::vector<T> solveTridiagonal(const Rows<T>& rows) {
     if constexpr (std::same_as<T, double>) {
-        const auto part = [&rows](std::size_t first, std::size_t last) {
-            const auto cut = [=](auto all) { return all.subspan(first, last - first); };
-            return Rows<double>{cut(rows.below), cut(rows.diagonal), cut(rows.above),
-                                cut(rows.right)};
-        };
         std::vector<double> solution(rows.right.size());
-        solveInChains(part, solution);
+        solveInChains(rows, solution);
         return solution;
     } else {
         return solveRowByRow(rows);

@@ -15,6 +15,15 @@ constexpr std::size_t known = 63;
 
 using Numbers = std::array<std::uint32_t, known + some>;
 
+/// Whether any of the numbers from `begin` on is more than `ahead` above the one before.
+bool hasGaps(const Numbers& numbers, std::size_t begin, std::size_t end) {
+    std::uint32_t wide = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+        wide |= numbers[k] - numbers[k - 1] > ahead ? 1 : 0;
+    }
+    return wide != 0;
+}
+
 /// Whether any of the numbers from `begin` on is that of `distance` places before.
 bool repeats(const Numbers& numbers, std::size_t begin, std::size_t end, std::size_t distance) {
     std::uint32_t same = 0;
@@ -54,14 +63,13 @@ void PieceTable::enterSome(const double* x, std::size_t first, std::size_t last)
     lanes::findBuckets(buckets_, x + first - before, all, numbers.data());
     auto* const table = lastBefore_.data();
     auto point = static_cast<std::uint32_t>(first);
-    std::size_t reached = numbers[before - 1] + ahead;
+    const bool gaps = hasGaps(numbers, before, all);
     for (std::size_t k = before; k < all; ++k, ++point) {
         const std::size_t bucket = numbers[k];
-        if (bucket > reached) {
-            std::fill(table + reached + 1, table + bucket + 1, point - 1);
+        if (gaps && bucket > numbers[k - 1] + ahead) {
+            std::fill(table + numbers[k - 1] + ahead + 1, table + bucket + 1, point - 1);
         }
         std::fill_n(table + bucket + 1, ahead, point);
-        reached = bucket + ahead;
     }
     const auto isFuller = [&](std::size_t distance) {
         if (distance <= known) {

@@ -1,4 +1,4 @@
-// The passes over all points in which a natural spline is built, compiled for every set of
+// What points must be before a natural spline goes through them, compiled for every set of
 // instructions.
 #pragma once
 
@@ -13,14 +13,5 @@ struct Survey {
     bool isModest = false;    ///< every y is a number, smaller than `most` in size
 };
 Survey surveyOf(const double* x, const double* y, std::size_t count, double most);
-
-/// Intervals and slopes of the chords between `pieces` + 1 points.
-void measureChords(const double* x, const double* y, std::size_t pieces, double* intervals,
-                   double* chords);
-
-/// Diagonal and right side of `rows` equations from the rows + 1 intervals and chords around them:
-/// 2 (h[k] + h[k+1]) and 3 (h[k+1] s[k] + h[k] s[k+1]).
-void formSlopeRows(const double* intervals, const double* chords, std::size_t rows,
-                   double* diagonal, double* right);
 
 } // namespace splineloft::lanes
