@@ -207,7 +207,8 @@ void expectValues(const NaturalFunction& function, const Values& x, const Values
 }
 
 TEST(NaturalFunction, agreesWithALongDoubleSolveOnEveryInstructionSet) {
-    for (const std::size_t count : {2u, 3u, 5u, 8u, 9u, 17u, 700u, 1000u, 10'000u, 100'000u}) {
+    for (const std::size_t count : {2u, 3u, 5u, 8u, 9u, 17u, 641u, 642u, 700u, 1000u, 8449u, 8450u,
+                                    10'000u, 12'674u, 100'000u}) {
         const Values x = rising(count, 0.1, 1, count);
         const Values y = scattered(count, 1, count + 1);
         const auto slopes = preciseSlopes(x, y);
@@ -217,6 +218,46 @@ TEST(NaturalFunction, agreesWithALongDoubleSolveOnEveryInstructionSet) {
             expectValues(NaturalFunction(x, y), x, y, slopes, places);
         });
     }
+}
+
+/// A spike is felt, ever more weakly, farther away than the solver looks back and ahead where it
+/// cuts the rows up; every slope is right to its last digits nevertheless.
+TEST(NaturalFunction, feelsASpikeHoweverFarAwayItIs) {
+    const std::size_t count = 13'000;
+    const Values x = rising(count, 0.2, 1, 2);
+    for (const std::size_t spike : {0u, 1u, 300u, 4224u, 4225u, 4600u, 8448u, 12'700u, 12'999u}) {
+        Values y(count, 0);
+        y[spike] = 1e70;
+        const auto slopes = preciseSlopes(x, y);
+        test::onEveryInstructionSet([&](const std::string& instructions) {
+            const NaturalFunction function(x, y);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto wanted = static_cast<double>(slopes[i]);
+                ASSERT_NEAR(function.derivative(x[i]), wanted, 1e-12 * std::abs(wanted) + 1e-280)
+                    << instructions << ", spike at " << spike << ", slope at " << i;
+            }
+        });
+    }
+}
+
+/// Rows forget what was before them the more slowly the more the intervals grow.
+TEST(NaturalFunction, isExactOverIntervalsThatGrowAndShrink) {
+    const std::size_t count = 9000;
+    Values x = {0};
+    for (std::size_t i = 1; i < count; ++i) {
+        x.push_back(x.back() + std::exp2(static_cast<double>(i % 40)));
+    }
+    const Values y = scattered(count, 1, 3);
+    const auto slopes = preciseSlopes(x, y);
+    test::onEveryInstructionSet([&](const std::string& instructions) {
+        const NaturalFunction function(x, y);
+        for (std::size_t i = 1; i + 1 < count; ++i) {
+            const auto wanted = static_cast<double>(slopes[i]);
+            const double chord = std::abs(y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+            ASSERT_NEAR(function.derivative(x[i]), wanted, 1e-13 * (std::abs(wanted) + chord))
+                << instructions << ", slope at " << i;
+        }
+    });
 }
 
 /// The table of places is written in one go: none of its entries may be left from other points.

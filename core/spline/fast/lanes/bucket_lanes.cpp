@@ -35,6 +35,50 @@ void find(const Buckets& buckets, const double* values, std::size_t count,
     }
 }
 
+// What follows compilers turn into vectors by themselves.
+
+bool haveGaps(const std::uint32_t* buckets, std::size_t count) {
+    std::uint32_t wide = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        wide |= buckets[k] - (buckets - 1)[k] > bucketsAhead ? 1 : 0;
+    }
+    return wide != 0;
+}
+
+bool anyRepeats(const std::uint32_t* buckets, std::size_t count, std::size_t distance) {
+    const std::uint32_t* const before = buckets - distance;
+    std::uint32_t same = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        same |= buckets[k] == before[k] ? 1 : 0;
+    }
+    return same != 0;
+}
+
+HWY_INLINE void writeAhead(std::uint32_t* behind, std::uint32_t number) {
+    for (std::size_t k = 0; k < bucketsAhead; ++k) {
+        behind[k] = number;
+    }
+}
+
+void enter(const std::uint32_t* HWY_RESTRICT buckets, std::size_t count, std::uint32_t first,
+           std::uint32_t* HWY_RESTRICT entries) {
+    if (!haveGaps(buckets, count)) {
+        for (std::size_t k = 0; k < count; ++k) {
+            writeAhead(entries + buckets[k] + 1, first + static_cast<std::uint32_t>(k));
+        }
+        return;
+    }
+    std::size_t reached = *(buckets - 1) + bucketsAhead;
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto number = first + static_cast<std::uint32_t>(k);
+        for (; reached < buckets[k]; ++reached) {
+            entries[reached + 1] = number - 1;
+        }
+        writeAhead(entries + buckets[k] + 1, number);
+        reached = buckets[k] + bucketsAhead;
+    }
+}
+
 } // namespace
 } // namespace splineloft::lanes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -42,11 +86,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace splineloft::lanes {
 
+HWY_EXPORT(anyRepeats);
+HWY_EXPORT(enter);
 HWY_EXPORT(find);
 
 void findBuckets(const Buckets& buckets, const double* values, std::size_t count,
                  std::uint32_t* found) {
     HWY_DYNAMIC_DISPATCH(find)(buckets, values, count, found);
+}
+
+void enterBuckets(const std::uint32_t* buckets, std::size_t count, std::uint32_t first,
+                  std::uint32_t* entries) {
+    HWY_DYNAMIC_DISPATCH(enter)(buckets, count, first, entries);
+}
+
+bool repeats(const std::uint32_t* buckets, std::size_t count, std::size_t distance) {
+    return HWY_DYNAMIC_DISPATCH(anyRepeats)(buckets, count, distance);
 }
 
 } // namespace splineloft::lanes
