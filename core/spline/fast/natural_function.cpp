@@ -106,7 +106,8 @@ void NaturalFunction::refit(std::span<const double> x, std::span<const double> y
         const std::size_t end = solver.pointsFor(block);
         bring(x.first(end), y.first(end), brought);
         table_.enter(values_.data(), brought, end);
-        solver.solve(block);
+        const bool isLast = end == size_;
+        solver.solve(block, isLast ? lanes::Upcoming{} : lanes::Upcoming{&x[end], &y[end]});
         brought = end;
     }
 }

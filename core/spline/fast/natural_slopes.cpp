@@ -52,13 +52,13 @@ double NaturalSlopes::firstChord() const {
     return 3 * ((y_[1] - y_[0]) / (x_[1] - x_[0]));
 }
 
-void NaturalSlopes::solve(std::size_t block) {
+void NaturalSlopes::solve(std::size_t block, const lanes::Upcoming& upcoming) {
     if (block == 0) { // 2 m[0] + m[1] = chord
         state_ = {firstChord(), 0.5, firstChord() / 2};
     }
     if (block < blocks_) {
         const auto columns = columnsOf(block);
-        state_ = lanes::eliminate(x_.data(), y_.data(), columns, state_);
+        state_ = lanes::eliminate(x_.data(), y_.data(), columns, state_, upcoming);
         if (block > 0) {
             substitute(block - 1, lanes::foreseenSlope(columns));
         }

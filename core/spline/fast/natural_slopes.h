@@ -22,8 +22,9 @@ class NaturalSlopes {
     std::size_t blocks() const;
     /// So many points, from the first on, must be there before a block is solved.
     std::size_t pointsFor(std::size_t block) const;
-    /// One block after another. After the last one all slopes are there.
-    void solve(std::size_t block);
+    /// One block after another. After the last one all slopes are there. While this one is worked
+    /// out, memory may bring what the next one will be brought from.
+    void solve(std::size_t block, const lanes::Upcoming& upcoming = {});
 
   private:
     /// What one instruction stores at most, and best does so within a line of the cache.

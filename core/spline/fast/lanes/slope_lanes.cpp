@@ -203,8 +203,11 @@ void repairChain(const double* x, const double* y, const SlopeBlock& block, std:
 }
 
 void eliminateBlock(const double* x, const double* y, const SlopeBlock& block,
-                    const SlopeState& before, SlopeState& after) {
+                    const SlopeState& before, const Upcoming& upcoming, SlopeState& after) {
     const Doubles d;
+    // In the second-level cache, as this block fills the first.
+    constexpr int secondLevel = 2;
+    const Upcoming soon = upcoming.x != nullptr ? upcoming : Upcoming{block.over, block.reduced};
     States begun = warmedUp(x, y, block);
     begun.set(0, before);
     Fronts fronts;
@@ -218,6 +221,9 @@ void eliminateBlock(const double* x, const double* y, const SlopeBlock& block,
             cursor.advance(fronts, v, row);
             hn::StoreU(fronts.of[v].over, d, over);
             hn::StoreU(fronts.of[v].reduced, d, reduced);
+            const auto at = row * chains() + v * hn::Lanes(d);
+            __builtin_prefetch(soon.x + at, 0, secondLevel);
+            __builtin_prefetch(soon.y + at, 0, secondLevel);
             over += hn::Lanes(d);
             reduced += hn::Lanes(d);
         }
@@ -354,9 +360,9 @@ std::size_t slopeChains() {
 }
 
 SlopeState eliminate(const double* x, const double* y, const SlopeBlock& block,
-                     const SlopeState& before) {
+                     const SlopeState& before, const Upcoming& upcoming) {
     SlopeState after;
-    HWY_DYNAMIC_DISPATCH(eliminateBlock)(x, y, block, before, after);
+    HWY_DYNAMIC_DISPATCH(eliminateBlock)(x, y, block, before, upcoming, after);
     return after;
 }
 

@@ -28,9 +28,15 @@ struct SlopeBlock {
     double *over, *reduced;
 };
 
+/// What will be read next: memory may begin to bring it, as many numbers of both as there are rows
+/// in a block.
+struct Upcoming {
+    const double *x = nullptr, *y = nullptr; ///< or nothing
+};
+
 /// Eliminates the rows of a block, from the state before its first row.
 SlopeState eliminate(const double* x, const double* y, const SlopeBlock& block,
-                     const SlopeState& before);
+                     const SlopeState& before, const Upcoming& upcoming);
 
 /// Eliminates rows first .. first + count - 1, one after another.
 SlopeState eliminateOneByOne(const double* x, const double* y, std::size_t first, std::size_t count,
