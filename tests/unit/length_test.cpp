@@ -170,6 +170,11 @@ TEST(Length, ofNothingIsNothing) {
     EXPECT_EQ(lengths.spotAt(3), Spot{});
     EXPECT_EQ(lengths.upTo({}), 0);
     EXPECT_EQ(lengths.spotsAt(std::vector{1.0, 2.0}), std::vector<Spot>(2));
+    std::vector<double> asked = {1, 2};
+    const auto runs = lengths.toParameters(asked);
+    ASSERT_EQ(runs.size(), 1u);
+    EXPECT_EQ(runs[0].count, 2u);
+    EXPECT_EQ(asked, (std::vector<double>{0, 0}));
 }
 
 TEST(Length, outsideTheCurveIsTheNearerEnd) {
@@ -252,6 +257,45 @@ TEST(Length, hasTheSameSpotsManyOrOneByOneOnEveryInstructionSet) {
                     << instructions << ": spot " << i << " of " << count;
                 ASSERT_NEAR(lengths.upTo(lengths.spotAt(asked[i])), asked[i],
                             4e-15 * lengths.total());
+            }
+        }
+    });
+}
+
+TEST(Length, isTheSameOnEveryInstructionSet) {
+    for (const int dimension : {1, 2, 3}) {
+        const Pieces pieces =
+            test::randomPieces(3, dimension, Form::polynomial, test::evenKnots(20));
+        const double wanted = ArcLength(pieces).total();
+        test::onEveryInstructionSet([&](const std::string& instructions) {
+            EXPECT_NEAR(ArcLength(pieces).total(), wanted, promised * wanted) << instructions;
+            EXPECT_NEAR(lengthOf(pieces), wanted, promised * wanted) << instructions;
+            EXPECT_NEAR(lengthOf(pieces, 1e-9), wanted, 1e-9) << instructions;
+        });
+    }
+}
+
+/// Cusps at any place, more or less round, all the way to none at all: the speed between them goes
+/// through zero or all but.
+TEST(Length, passesCuspsOnEveryInstructionSet) {
+    test::onEveryInstructionSet([](const std::string& instructions) {
+        for (const double at : {0.0, 1e-9, 0.01, 0.3, 0.5, 0.999, 1.0}) {
+            for (const double round : {0.0, 1e-300, 1e-12, 1e-9, 1e-8, 1e-6, 1e-3, 0.1}) {
+                // The velocity (u - at, round): its length is a parabola's.
+                const Pieces pieces =
+                    testing_curves::onePiece(2, 2, {0, 0, -0.5 * at, 0.5 * round, 0.5 - at, round});
+                const auto fromTip = [&](double x) {
+                    const double speed = std::hypot(x, round);
+                    const double bend = round > 0 ? std::asinh(x / round) : 0;
+                    return 0.5 * (x * speed + round * round * bend);
+                };
+                const double wanted = fromTip(at) + fromTip(1 - at);
+                EXPECT_NEAR(lengthOf(pieces, 1e-9), wanted, 1e-9)
+                    << instructions << ' ' << at << ' ' << round;
+                EXPECT_NEAR(lengthOf(pieces), wanted, promised)
+                    << instructions << ' ' << at << ' ' << round;
+                EXPECT_NEAR(ArcLength(pieces).total(), wanted, promised)
+                    << instructions << ' ' << at << ' ' << round;
             }
         }
     });

@@ -16,19 +16,24 @@ constexpr double fullPrecision = 1e-16;
 // Spots found with a chart lie off by no more than this part of the whole length.
 constexpr double chartError = 1e-15;
 // No piece is cut into more panels than this.
-constexpr int mostCuts = 400;
+constexpr std::size_t mostPanels = lanes::Panels::most;
+
+/// It is known beforehand where the speed is smooth.
+template <class Speed>
+concept KnownSpeed = SpeedAlongPiece<Speed> && requires(const Speed& speed, lanes::Panels& panels) {
+    speed.cut(1.0, lanes::Nodes::sixteen, panels);
+    speed.integralOver(panels.all());
+};
 
 /// Cuts a piece into panels that are good to `tolerance`, and calls `take(start, end, length)` for
-/// each, in order: as long ones as the branch points allow, where these are known.
-template <SpeedAlongPiece Speed, class Take>
-    requires requires(const Speed& speed) { speed.branchPoints(); }
+/// each, in order: as long ones as the speed allows, where that is known.
+template <KnownSpeed Speed, class Take>
 void forEachPanel(const Speed& speed, double tolerance, Take take) {
-    const BranchPoints points = speed.branchPoints();
-    double start = 0;
-    for (int panels = 0; start < 1; ++panels) {
-        const double end = panels < mostCuts ? points.panelEnd(start, tolerance) : 1;
+    lanes::Panels panels;
+    speed.cut(tolerance, lanes::Nodes::sixteen, panels);
+    for (std::size_t i = 0; i < panels.count; ++i) {
+        const double start = panels.joints[i], end = panels.joints[i + 1];
         take(start, end, speed.unit() * integral(speed, start, end));
-        start = end;
     }
 }
 
@@ -52,13 +57,13 @@ void forEachPanel(const Speed& speed, double tolerance, Take take) {
     std::size_t waiting = 0;
     ends[waiting++] = 1;
     double start = 0;
-    for (int cuts = 0; waiting > 0;) {
+    for (std::size_t cuts = 0; waiting > 0;) {
         const double end = ends[waiting - 1];
         const double middle = 0.5 * (start + end);
         const double half = 0.5 * (end - start);
         const auto samples = speed.on(middle, half);
         const bool isLast =
-            cuts == mostCuts || waiting == ends.size() || !(start < middle && middle < end);
+            cuts == mostPanels || waiting == ends.size() || !(start < middle && middle < end);
         if (isLast || isGood(speed, start, end, samples, tolerance)) {
             take(start, end, speed.unit() * (half * gauss::integralOf(samples)));
             start = end;
@@ -75,6 +80,20 @@ double finite(double length) {
     return std::min(length, std::numeric_limits<double>::max());
 }
 
+/// The length of a piece alone needs no panels to come back to: a wider rule makes it of fewer.
+template <KnownSpeed Speed> double lengthOfPiece(const Speed& speed, double tolerance) {
+    lanes::Panels panels;
+    speed.cut(tolerance, lanes::Nodes::thirtyTwo, panels);
+    return speed.unit() * speed.integralOver(panels.all());
+}
+
+template <SpeedAlongPiece Speed> double lengthOfPiece(const Speed& speed, double tolerance) {
+    double total = 0;
+    forEachPanel(speed, tolerance,
+                 [&](double, double, double length) { total = finite(total + length); });
+    return total;
+}
+
 } // namespace
 
 double lengthOf(const Pieces& pieces, double tolerance) {
@@ -83,16 +102,17 @@ double lengthOf(const Pieces& pieces, double tolerance) {
     const double each = tolerance > 0 ? share * tolerance / static_cast<double>(pieces.size()) : 0;
     double total = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        withSpeed(pieces[i], [&](const auto& speed) {
-            forEachPanel(speed, std::max(each / speed.unit(), fullPrecision * speed.size()),
-                         [&](double, double, double length) { total = finite(total + length); });
+        total += withSpeed(pieces[i], [&](const auto& speed) {
+            return lengthOfPiece(speed,
+                                 std::max(each / speed.unit(), fullPrecision * speed.size()));
         });
+        total = finite(total);
     }
     return total;
 }
 
 ArcLength::ArcLength(const Pieces& pieces) : pieces_(&pieces) {
-    panels_.reserve(2 * pieces.size());
+    panels_.reserve(4 * pieces.size());
     double total = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         withSpeed(pieces[i], [&](const auto& speed) {
@@ -119,11 +139,10 @@ double ArcLength::upTo(Spot spot) const {
     });
 }
 
-void ArcLength::findOn(const Panel& panel, std::span<const double> lengths,
-                       std::span<Spot> spots) const {
+void ArcLength::findOn(const Panel& panel, std::span<double> lengths) const {
     withSpeed((*pieces_)[panel.segment], [&](const auto& speed) {
-        Walk(speed, panel.segment, chartError * total())
-            .along({panel.start, panel.end}, panel.lengthAtStart, lengths, spots);
+        Walk(speed, chartError * total())
+            .along({panel.start, panel.end}, panel.lengthAtStart, lengths);
     });
 }
 
@@ -134,20 +153,27 @@ Spot ArcLength::spotAt(double length) const {
     if (length >= total()) {
         return {panels_.back().segment, panels_.back().end};
     }
-    Spot spot;
-    findOn(*std::ranges::lower_bound(panels_, length, {}, &Panel::lengthAtEnd),
-           std::span(&length, 1), std::span(&spot, 1));
-    return spot;
+    const auto& panel = *std::ranges::lower_bound(panels_, length, {}, &Panel::lengthAtEnd);
+    findOn(panel, std::span(&length, 1));
+    return {panel.segment, length};
 }
 
-std::vector<Spot> ArcLength::spotsAt(std::span<const double> lengths) const {
-    std::vector<Spot> spots(lengths.size());
-    if (panels_.empty()) {
-        return spots;
-    }
+std::vector<SpotRun> ArcLength::toParameters(std::span<double> lengths) const {
+    std::vector<SpotRun> runs;
     const auto isAtStart = [](double length) { return !(length > 0); };
-    auto next =
-        static_cast<std::size_t>(std::ranges::find_if_not(lengths, isAtStart) - lengths.begin());
+    const auto atStart =
+        panels_.empty() ? lengths.end() : std::ranges::find_if_not(lengths, isAtStart);
+    auto next = static_cast<std::size_t>(atStart - lengths.begin());
+    std::fill(lengths.begin(), atStart, 0.0);
+    const auto add = [&](std::size_t segment, std::size_t count) {
+        if (runs.empty() || runs.back().segment != segment) {
+            runs.push_back({segment, 0});
+        }
+        runs.back().count += count;
+    };
+    if (next > 0) {
+        add(0, next);
+    }
     auto panel = panels_.begin();
     while (next < lengths.size() && lengths[next] < total()) {
         // A few panels on, or far on.
@@ -160,12 +186,26 @@ std::vector<Spot> ArcLength::spotsAt(std::span<const double> lengths) const {
                lengths[after] < total()) {
             ++after;
         }
-        const auto count = after - next;
-        findOn(*panel, lengths.subspan(next, count), std::span(spots).subspan(next, count));
+        findOn(*panel, lengths.subspan(next, after - next));
+        add(panel->segment, after - next);
         next = after;
     }
-    std::fill(spots.begin() + static_cast<std::ptrdiff_t>(next), spots.end(),
-              Spot{panels_.back().segment, panels_.back().end});
+    if (next < lengths.size()) {
+        std::ranges::fill(lengths.subspan(next), panels_.back().end);
+        add(panels_.back().segment, lengths.size() - next);
+    }
+    return runs;
+}
+
+std::vector<Spot> ArcLength::spotsAt(std::span<const double> lengths) const {
+    std::vector<double> parameters(lengths.begin(), lengths.end());
+    std::vector<Spot> spots;
+    spots.reserve(lengths.size());
+    for (const auto& run : toParameters(parameters)) {
+        for (std::size_t i = 0; i < run.count; ++i) {
+            spots.push_back({run.segment, parameters[spots.size()]});
+        }
+    }
     return spots;
 }
 

@@ -13,6 +13,12 @@ namespace splineloft {
 /// largest double are that.
 double lengthOf(const Pieces& pieces, double tolerance = 0);
 
+/// Spots that follow each other on one piece.
+struct SpotRun {
+    std::size_t segment = 0;
+    std::size_t count = 0;
+};
+
 /// Lengths of a curve, measured once: total, up to a spot, and back from length to spot. Each piece
 /// is cut into panels on which 16-point Gauss quadrature of the speed has converged; near a cusp
 /// the cutting stops where the rest is below rounding. Bounded work for any input.
@@ -29,6 +35,9 @@ class ArcLength {
     /// The same for many lengths that never fall: where they are close together, much quicker than
     /// one by one. The spots never fall either.
     std::vector<Spot> spotsAt(std::span<const double> lengths) const;
+    /// The same in place: puts the u of its spot where each length was. Says which pieces the spots
+    /// lie on, from the first to the last.
+    std::vector<SpotRun> toParameters(std::span<double> lengths) const;
 
   private:
     struct Panel {
@@ -37,7 +46,7 @@ class ArcLength {
         double lengthAtStart, lengthAtEnd;
     };
 
-    void findOn(const Panel& panel, std::span<const double> lengths, std::span<Spot> spots) const;
+    void findOn(const Panel& panel, std::span<double> lengths) const;
 
     const Pieces* pieces_;
     std::vector<Panel> panels_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
-#include <utility>
 
 namespace splineloft {
 namespace {
@@ -11,8 +10,7 @@ namespace {
 using lanes::EightByEight;
 
 constexpr std::size_t half = gauss::count / 2;
-static_assert(gauss::count == lanes::LengthSeries::count &&
-              half == std::tuple_size_v<lanes::Eight>);
+static_assert(half == std::tuple_size_v<lanes::Eight>);
 
 /// Powers of x in the Legendre polynomials of even order (parity 0), which has even powers only, or
 /// of odd order (parity 1): column i belongs to order 2 i + parity, row j to x^(2 j + parity).
@@ -36,59 +34,37 @@ constexpr EightByEight legendrePowers(std::size_t parity) {
     return result;
 }
 
-/// Of the pairs, one a column, the Legendre coefficients of the orders 2 i + parity in row i.
-constexpr EightByEight legendreCoefficients(std::size_t parity) {
-    EightByEight result{};
-    for (std::size_t pair = 0; pair < gauss::pairs; ++pair) {
-        for (std::size_t i = 0; i < half; ++i) {
-            result[pair][i] = gauss::legendre[2 * i + parity][pair];
-        }
-    }
-    return result;
-}
-
-constexpr lanes::PowerTables tables = {legendreCoefficients(0), legendrePowers(0),
-                                       legendreCoefficients(1), legendrePowers(1)};
-
-/// Values of a polynomial at -1 and 1.
-template <std::size_t n> std::pair<double, double> endsOf(const std::array<double, n>& powers) {
-    double even = 0, odd = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-        (j % 2 == 0 ? even : odd) += powers[j];
-    }
-    return {even - odd, even + odd};
-}
+constexpr auto evenPowers = legendrePowers(0);
+constexpr auto oddPowers = legendrePowers(1);
 
 } // namespace
 
-LengthChart::LengthChart(const gauss::Samples& speeds, const gauss::Spectrum& spectrum) {
-    lanes::integrateSpeeds(tables, spectrum.sums(), spectrum.differences(), series_);
-    series_.middle = -endsOf(series_.lengths).first;
-    series_.lengths[0] = series_.middle;
-    series_.whole = gauss::integralOf(speeds);
-    prepareStart();
+LengthChart::LengthChart(const gauss::Spectrum& speeds) {
+    prepareStart(
+        lanes::integrateSeries(evenPowers, oddPowers, speeds.even(), speeds.odd(), series_));
 }
 
-void LengthChart::prepareStart() {
+void LengthChart::prepareStart(const lanes::EndSpeeds& ends) {
     constexpr double slowest = 0.1; // of the mean speed
-    const auto& [lengths, speeds, start, middle, whole] = series_;
-    const auto [before, after] = endsOf(speeds);
-    const double least = std::min({before, speeds[0], after});
+    const double middle = series_.middle, whole = series_.whole;
+    const double least = std::min({ends.before, series_.evenSpeed[0], ends.after});
     invertible_ = least > slowest * 0.5 * whole && middle > 0 && middle < whole;
     if (!invertible_) {
         return;
     }
-    const std::array<double, 6> at = {0, 0, middle, middle, whole, whole};
-    const std::array<double, 6> slope = {1 / before, 0, 1 / speeds[0], 0, 1 / after, 0};
-    std::array<double, 6> differences = {-1, -1, 0, 0, 1, 1};
-    for (std::size_t order = 1; order < at.size(); ++order) {
-        for (std::size_t i = at.size() - 1; i >= order; --i) {
-            const double gap = at[i] - at[i - order];
-            differences[i] =
-                gap > 0 ? (differences[i] - differences[i - 1]) / gap : slope[i - order];
-        }
-    }
-    series_.start = differences;
+    // Differences of x, which is -1, 0 and 1 at 0, middle and whole, each of these taken twice.
+    const double overLeft = 1 / middle, overRight = 1 / (whole - middle), overWhole = 1 / whole;
+    const double atLeft = 1 / ends.before, at0 = 1 / series_.evenSpeed[0], atRight = 1 / ends.after;
+    const double left2 = (overLeft - atLeft) * overLeft; // over 0, 0, middle
+    const double left2b = (at0 - overLeft) * overLeft;   // over 0, middle, middle
+    const double right2 = (overRight - at0) * overRight;
+    const double right2b = (atRight - overRight) * overRight;
+    const double left3 = (left2b - left2) * overLeft;
+    const double across3 = (right2 - left2b) * overWhole;
+    const double right3 = (right2b - right2) * overRight;
+    const double left4 = (across3 - left3) * overWhole;
+    const double right4 = (right3 - across3) * overWhole;
+    series_.start = {-1, atLeft, left2, left3, left4, (right4 - left4) * overWhole};
 }
 
 } // namespace splineloft

@@ -14,23 +14,24 @@ namespace splineloft {
 /// and the middle, and ends with Newton's method.
 class LengthChart {
   public:
-    LengthChart(const gauss::Samples& speeds, const gauss::Spectrum& spectrum);
+    explicit LengthChart(const gauss::Spectrum& speeds);
 
     /// How far the charted lengths are off at most, about: the first coefficient left out is like
     /// the last ones left in, and integrates to 1 / 16 of itself.
-    static double errorOf(const gauss::Spectrum& spectrum) {
-        return spectrum.tail() / static_cast<double>(gauss::count);
+    static double errorOf(const gauss::Spectrum& speeds) {
+        return speeds.tail() / static_cast<double>(gauss::count);
     }
     /// Whether the speed varies so little that the inverse is sure to be found.
     bool isInvertible() const { return invertible_; }
 
-    /// The values of x at which the given lengths are reached, which replace them.
-    void invert(std::span<double> lengths) const {
-        lanes::invertLengths(series_, lengths.data(), lengths.size());
+    /// Puts in the place of lengths of the curve, which lie on the panel, the parameters where it
+    /// reaches them.
+    void invert(const lanes::PanelPlace& place, std::span<double> lengths) const {
+        lanes::invertLengths(series_, place, lengths.data(), lengths.size());
     }
 
   private:
-    void prepareStart();
+    void prepareStart(const lanes::EndSpeeds& ends);
 
     lanes::LengthSeries series_;
     bool invertible_ = false;

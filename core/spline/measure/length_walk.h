@@ -5,7 +5,6 @@
 #include "core/spline/measure/speed.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -48,13 +47,13 @@ double parameterAt(const Speed& speed, Stretch panel, double wanted, double whol
 template <SpeedAlongPiece Speed> class Walk {
   public:
     /// Charts may be off by `tolerance`, which is a length.
-    Walk(const Speed& speed, std::size_t segment, double tolerance)
-        : speed_(speed), segment_(segment), tolerance_(tolerance / speed.unit()) {}
+    Walk(const Speed& speed, double tolerance)
+        : speed_(speed), tolerance_(tolerance / speed.unit()) {}
 
-    /// The spots at `lengths`, which rise and lie on the panel, which begins at `before`.
-    void along(Stretch panel, double before, std::span<const double> lengths,
-               std::span<Spot> spots) const {
-        along(panel, before, samplesOn(panel), lengths, spots, 0);
+    /// Puts in the place of `lengths`, which never fall and lie on the panel, which begins at
+    /// `before`, the parameters where the curve reaches them.
+    void along(Stretch panel, double before, std::span<double> lengths) const {
+        along(panel, before, samplesOn(panel), lengths, 0);
     }
 
   private:
@@ -66,17 +65,17 @@ template <SpeedAlongPiece Speed> class Walk {
     gauss::Samples samplesOn(Stretch s) const { return speed_.on(middle(s), half(s)); }
 
     void along(Stretch here, double before, const gauss::Samples& samples,
-               std::span<const double> lengths, std::span<Spot> spots, int depth) const {
+               std::span<double> lengths, int depth) const {
         if (lengths.empty()) {
             return;
         }
         if (lengths.size() < fewest || depth == deepest) {
-            oneByOne(here, before, half(here) * gauss::integralOf(samples), lengths, spots);
+            oneByOne(here, before, half(here) * gauss::integralOf(samples), lengths);
             return;
         }
         const gauss::Spectrum spectrum(samples);
         const bool isSmooth = half(here) * LengthChart::errorOf(spectrum) <= tolerance_;
-        if (isSmooth && byChart(LengthChart(samples, spectrum), here, before, lengths, spots)) {
+        if (isSmooth && byChart(LengthChart(spectrum), here, before, lengths)) {
             return;
         }
         const Stretch left{here.start, middle(here)};
@@ -85,44 +84,30 @@ template <SpeedAlongPiece Speed> class Walk {
         const double between = before + speed_.unit() * half(left) * gauss::integralOf(onLeft);
         const auto count =
             static_cast<std::size_t>(std::ranges::upper_bound(lengths, between) - lengths.begin());
-        along(left, before, onLeft, lengths.first(count), spots.first(count), depth + 1);
-        along(right, between, samplesOn(right), lengths.subspan(count), spots.subspan(count),
-              depth + 1);
+        along(left, before, onLeft, lengths.first(count), depth + 1);
+        if (count < lengths.size()) {
+            along(right, between, samplesOn(right), lengths.subspan(count), depth + 1);
+        }
     }
 
-    void oneByOne(Stretch here, double before, double whole, std::span<const double> lengths,
-                  std::span<Spot> spots) const {
-        for (std::size_t i = 0; i < lengths.size(); ++i) {
-            const double wanted = (lengths[i] - before) / speed_.unit();
-            spots[i] = {segment_, parameterAt(speed_, here, wanted, whole)};
+    void oneByOne(Stretch here, double before, double whole, std::span<double> lengths) const {
+        for (auto& length : lengths) {
+            const double wanted = (length - before) / speed_.unit();
+            length = parameterAt(speed_, here, wanted, whole);
         }
     }
 
     /// Not where the chart cannot be inverted.
     bool byChart(const LengthChart& chart, Stretch here, double before,
-                 std::span<const double> lengths, std::span<Spot> spots) const {
+                 std::span<double> lengths) const {
         if (!chart.isInvertible()) {
             return false;
         }
-        constexpr std::size_t most = 64;
-        std::array<double, most> x;
-        const double toChart = 1 / (speed_.unit() * half(here));
-        for (std::size_t first = 0; first < lengths.size(); first += most) {
-            const auto count = std::min(most, lengths.size() - first);
-            for (std::size_t i = 0; i < count; ++i) {
-                x[i] = (lengths[first + i] - before) * toChart;
-            }
-            chart.invert(std::span(x).first(count));
-            for (std::size_t i = 0; i < count; ++i) {
-                const double u = middle(here) + half(here) * x[i];
-                spots[first + i] = {segment_, std::clamp(u, here.start, here.end)};
-            }
-        }
+        chart.invert({before, 1 / (speed_.unit() * half(here)), here.start, here.end}, lengths);
         return true;
     }
 
     const Speed& speed_;
-    std::size_t segment_;
     double tolerance_;
 };
 

@@ -85,12 +85,12 @@ template <int dimension> ParabolaSpeed<dimension>::ParabolaSpeed(const Piece& pi
         size_ *= scale;
         unit_ /= scale;
     }
-    a_ = legs[0];
     for (std::size_t k = 0; k < coordinates; ++k) {
+        velocity_.a[k] = legs[0][k];
         const double first = legs[1][k] - legs[0][k];
         const double second = legs[2][k] - legs[1][k];
-        b_[k] = piece.degree < 2 ? 0 : piece.degree == 2 ? first : 2 * first;
-        c_[k] = piece.degree < 3 ? 0 : second - first;
+        velocity_.b[k] = piece.degree < 2 ? 0 : piece.degree == 2 ? first : 2 * first;
+        velocity_.c[k] = piece.degree < 3 ? 0 : second - first;
     }
 }
 

@@ -1,8 +1,8 @@
 // The speed |P'(u)| along one piece, as quadrature samples it.
 #pragma once
 
-#include "core/spline/algebra/take_roots.h"
-#include "core/spline/measure/branch_points.h"
+#include "core/spline/fast/lanes/panel_lanes.h"
+#include "core/spline/fast/lanes/speed_lanes.h"
 #include "core/spline/measure/quadrature.h"
 #include "core/spline/piece.h"
 
@@ -51,7 +51,7 @@ template <int dimension> class ParabolaSpeed {
     double at(double u) const {
         double sum = 0;
         for (std::size_t k = 0; k < coordinates; ++k) {
-            const double h = a_[k] + u * (b_[k] + u * c_[k]);
+            const double h = velocity(k, u);
             sum += h * h;
         }
         return std::sqrt(sum);
@@ -59,51 +59,45 @@ template <int dimension> class ParabolaSpeed {
 
     gauss::Samples on(double middle, double half) const {
         gauss::Samples samples;
-        samples.after.fill(0);
-        samples.before.fill(0);
-        for (std::size_t k = 0; k < coordinates; ++k) {
-            const double a = a_[k] + middle * (b_[k] + middle * c_[k]);
-            const double b = half * (b_[k] + 2 * middle * c_[k]);
-            const double c = half * half * c_[k];
-            for (std::size_t i = 0; i < gauss::pairs; ++i) {
-                const double even = a + c * gauss::squaredNodes[i];
-                const double odd = b * gauss::nodes[i];
-                samples.after[i] += (even + odd) * (even + odd);
-                samples.before[i] += (even - odd) * (even - odd);
-            }
-        }
-        takeRoots(samples.after);
-        takeRoots(samples.before);
+        lanes::sampleSpeeds(velocity_, middle, half, gauss::nodes, samples);
         return samples;
+    }
+
+    /// The integral over all panels between `joints`, on each of which the wide rule is good.
+    double integralOver(std::span<const double> joints) const {
+        return lanes::integrateSpeed(velocity_, gauss::wide, joints);
     }
 
     SpeedHull hullOn(double start, double end) const {
         std::array<double, 3 * coordinates> velocities;
         const double half = 0.5 * (end - start);
         for (std::size_t k = 0; k < coordinates; ++k) {
-            const double from = a_[k] + start * (b_[k] + start * c_[k]);
+            const double from = velocity(k, start);
             velocities[k] = from;
-            velocities[coordinates + k] = from + half * (b_[k] + 2 * start * c_[k]);
-            velocities[2 * coordinates + k] = a_[k] + end * (b_[k] + end * c_[k]);
+            velocities[coordinates + k] =
+                from + half * (velocity_.b[k] + 2 * start * velocity_.c[k]);
+            velocities[2 * coordinates + k] = velocity(k, end);
         }
         return hullOf(velocities, coordinates, coordinates);
     }
 
-    /// Where the speed is not smooth: the plane's are known.
-    BranchPoints branchPoints() const
+    /// Cuts the piece, on a line or in the plane, into panels on which quadrature with so many
+    /// nodes is good.
+    void cut(double tolerance, lanes::Nodes nodes, lanes::Panels& panels) const
         requires(dimension <= 2)
     {
-        if constexpr (dimension == 2) {
-            return {{a_[0], a_[1]}, {b_[0], b_[1]}, {c_[0], c_[1]}};
-        } else {
-            return {a_[0], b_[0], c_[0]};
-        }
+        lanes::cutIntoPanels(velocity_, tolerance, nodes, panels);
     }
 
   private:
     static constexpr std::size_t coordinates{dimension};
 
-    std::array<double, coordinates> a_{}, b_{}, c_{};
+    double velocity(std::size_t k, double u) const {
+        const auto& [a, b, c, size] = velocity_;
+        return a[k] + u * (b[k] + u * c[k]);
+    }
+
+    lanes::Parabola velocity_{.dimension = coordinates};
     double unit_ = 16;
     double size_ = 0;
 };

@@ -1,5 +1,8 @@
 #include "core/spline/fast/lanes/chart_lanes.h"
 
+#include <algorithm>
+#include <tuple>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/spline/fast/lanes/chart_lanes.cpp"
 #include <hwy/foreach_target.h>
@@ -16,39 +19,65 @@ using Vector = hn::Vec<Doubles>;
 
 using UpToEight = hn::CappedTag<double, 8>;
 
-/// `second` times (`first` times `in`).
-HWY_INLINE void multiplyTwice(const EightByEight& first, const EightByEight& second,
-                              const Eight& in, Eight& out) {
+/// `matrix` times `in`, in two sums: as each waits for itself.
+HWY_INLINE void multiply(const EightByEight& matrix, const Eight& in, Eight& out) {
     const UpToEight d;
-    Eight between;
     for (std::size_t row = 0; row < in.size(); row += hn::Lanes(d)) {
-        auto sum = hn::Mul(hn::LoadU(d, &first[0][row]), hn::Set(d, in[0]));
-        for (std::size_t column = 1; column < in.size(); ++column) {
-            sum = hn::MulAdd(hn::LoadU(d, &first[column][row]), hn::Set(d, in[column]), sum);
+        auto sum = hn::Mul(hn::LoadU(d, &matrix[0][row]), hn::Set(d, in[0]));
+        auto other = hn::Mul(hn::LoadU(d, &matrix[1][row]), hn::Set(d, in[1]));
+        for (std::size_t column = 2; column < in.size(); column += 2) {
+            sum = hn::MulAdd(hn::LoadU(d, &matrix[column][row]), hn::Set(d, in[column]), sum);
+            other = hn::MulAdd(hn::LoadU(d, &matrix[column + 1][row]), hn::Set(d, in[column + 1]),
+                               other);
         }
-        hn::StoreU(sum, d, &between[row]);
-    }
-    for (std::size_t row = 0; row < in.size(); row += hn::Lanes(d)) {
-        auto sum = hn::Mul(hn::LoadU(d, &second[0][row]), hn::Set(d, between[0]));
-        for (std::size_t column = 1; column < in.size(); ++column) {
-            sum = hn::MulAdd(hn::LoadU(d, &second[column][row]), hn::Set(d, between[column]), sum);
-        }
-        hn::StoreU(sum, d, &out[row]);
+        hn::StoreU(hn::Add(sum, other), d, &out[row]);
     }
 }
 
-void integrate(const PowerTables& tables, const Eight& sums, const Eight& differences,
-               LengthSeries& series) {
-    Eight even, odd;
-    multiplyTwice(tables.evenCoefficients, tables.evenPowers, sums, even);
-    multiplyTwice(tables.oddCoefficients, tables.oddPowers, differences, odd);
-    for (std::size_t j = 0; j < even.size(); ++j) {
-        const auto order = static_cast<double>(2 * j);
-        series.speeds[2 * j] = even[j];
-        series.speeds[2 * j + 1] = odd[j];
-        series.lengths[2 * j + 1] = even[j] / (order + 1);
-        series.lengths[2 * j + 2] = odd[j] / (order + 2);
+void weigh(const EightByEight& even, const EightByEight& odd, const EightPairs& pairs,
+           Eight& ofSums, Eight& ofDifferences) {
+    const UpToEight d;
+    Eight sums, differences;
+    for (std::size_t i = 0; i < sums.size(); i += hn::Lanes(d)) {
+        const auto after = hn::LoadU(d, &pairs.after[i]);
+        const auto before = hn::LoadU(d, &pairs.before[i]);
+        hn::StoreU(hn::Add(after, before), d, &sums[i]);
+        hn::StoreU(hn::Sub(after, before), d, &differences[i]);
     }
+    multiply(even, sums, ofSums);
+    multiply(odd, differences, ofDifferences);
+}
+
+// Integrals of x^0, x^2 to x^14, and of x^1, x^3 to x^15, from 0 to 1.
+constexpr Eight ofEven = {1, 1.0 / 3, 1.0 / 5, 1.0 / 7, 1.0 / 9, 1.0 / 11, 1.0 / 13, 1.0 / 15};
+constexpr Eight ofOdd = {1.0 / 2,  1.0 / 4,  1.0 / 6,  1.0 / 8,
+                         1.0 / 10, 1.0 / 12, 1.0 / 14, 1.0 / 16};
+
+EndSpeeds integrate(const EightByEight& evenPowers, const EightByEight& oddPowers,
+                    const Eight& even, const Eight& odd, LengthSeries& series) {
+    multiply(evenPowers, even, series.evenSpeed);
+    multiply(oddPowers, odd, series.oddSpeed);
+    const UpToEight d;
+    auto evenSpeeds = hn::Zero(d), oddSpeeds = evenSpeeds;
+    auto oddLengths = evenSpeeds, evenLengths = evenSpeeds;
+    for (std::size_t i = 0; i < even.size(); i += hn::Lanes(d)) {
+        const auto evenSpeed = hn::LoadU(d, &series.evenSpeed[i]);
+        const auto oddSpeed = hn::LoadU(d, &series.oddSpeed[i]);
+        const auto oddLength = hn::Mul(evenSpeed, hn::LoadU(d, &ofEven[i]));
+        const auto evenLength = hn::Mul(oddSpeed, hn::LoadU(d, &ofOdd[i]));
+        hn::StoreU(oddLength, d, &series.oddLength[i]);
+        hn::StoreU(evenLength, d, &series.evenLength[i]);
+        evenSpeeds = hn::Add(evenSpeeds, evenSpeed);
+        oddSpeeds = hn::Add(oddSpeeds, oddSpeed);
+        oddLengths = hn::Add(oddLengths, oddLength);
+        evenLengths = hn::Add(evenLengths, evenLength);
+    }
+    const auto total = [&](auto v) HWY_ATTR { return hn::GetLane(hn::SumOfLanes(d, v)); };
+    const double evenSpeed = total(evenSpeeds), oddSpeed = total(oddSpeeds);
+    const double oddLength = total(oddLengths), evenLength = total(evenLengths);
+    series.middle = oddLength - evenLength;
+    series.whole = 2 * oddLength;
+    return {evenSpeed - oddSpeed, evenSpeed + oddSpeed};
 }
 
 HWY_INLINE Vector bounded(Vector x) {
@@ -72,98 +101,115 @@ HWY_INLINE Vector startFor(const LengthSeries& series, Vector wanted) {
 /// What is wanted, and how far the search for it is.
 struct Search {
     Vector wanted, x;
-    Vector speed; // at the x before
-    Vector way;   // from there
+    Vector over; // 1 / speed at the x before
 };
 
-/// Goes one step on, whose size it gives. `isFirst`: nothing is known of an x before.
-HWY_INLINE Vector advance(Search& search, Vector length, Vector speed, bool isFirst) {
+/// Goes one step of Newton's method on, whose size it gives. `isClose`: the speed is about what it
+/// was at the x before.
+HWY_INLINE Vector advance(Search& search, Vector length, Vector speed, bool isClose) {
     const Doubles d;
-    const auto over = hn::Div(hn::Set(d, 1.0), speed);
-    auto step = hn::Mul(hn::Sub(search.wanted, length), over);
-    const auto size = hn::Abs(step);
-    if (!isFirst) {
-        // The next term of the series, with the slope of the speed from its difference: what is
-        // left is of third order.
-        const auto slope = hn::Div(hn::Sub(speed, search.speed), search.way);
-        const auto bend =
-            hn::Mul(hn::Mul(hn::Set(d, 0.5), hn::Mul(step, step)), hn::Mul(slope, over));
-        const auto moved = hn::Ne(search.way, hn::Zero(d));
-        step = hn::Sub(step, hn::IfThenElseZero(moved, bend));
-    }
-    const auto next = bounded(hn::Add(search.x, step));
-    search.speed = speed;
-    search.way = hn::Sub(next, search.x);
-    search.x = next;
-    return size;
+    // A division takes as long as all the rest.
+    search.over = isClose ? hn::Mul(search.over, hn::NegMulAdd(speed, search.over, hn::Set(d, 2.0)))
+                          : hn::Div(hn::Set(d, 1.0), speed);
+    const auto step = hn::Mul(hn::Sub(search.wanted, length), search.over);
+    search.x = bounded(hn::Add(search.x, step));
+    return hn::Abs(step);
 }
 
-/// Two vectors side by side, in even and odd powers each: as each sum waits for itself.
-HWY_INLINE void invertTwo(const LengthSeries& series, Vector& a, Vector& b) {
-    constexpr double enough = 3e-6; // a step of third order after which x is exact
+/// Some vectors side by side, in even and odd powers each: as each sum waits for itself.
+template <std::size_t n> HWY_INLINE void invertVectors(const LengthSeries& series, Vector* v) {
+    // Where a chart is good, its speed changes by less than itself from its middle to its ends. So
+    // a step leaves less than its square, and the speed after it is about the same.
+    constexpr double enough = 1e-8, close = 1e-3;
     constexpr int mostSteps = 8;
     const Doubles d;
-    const auto zero = hn::Zero(d);
-    Search one{a, startFor(series, a), zero, zero};
-    Search other{b, startFor(series, b), zero, zero};
+    Search searches[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        searches[i] = {v[i], startFor(series, v[i]), hn::Zero(d)};
+    }
+    bool isClose = false;
     for (int round = 0; round < mostSteps; ++round) {
-        const auto y0 = hn::Mul(one.x, one.x);
-        const auto y1 = hn::Mul(other.x, other.x);
-        constexpr auto last = LengthSeries::count;
-        auto evenLength0 = hn::Set(d, series.lengths[last]), evenLength1 = evenLength0;
-        auto oddLength0 = hn::Set(d, series.lengths[last - 1]), oddLength1 = oddLength0;
-        auto evenSpeed0 = hn::Set(d, series.speeds[last - 2]), evenSpeed1 = evenSpeed0;
-        auto oddSpeed0 = hn::Set(d, series.speeds[last - 1]), oddSpeed1 = oddSpeed0;
-        for (std::size_t k = last - 2; k >= 2; k -= 2) {
-            const auto evenLength = hn::Set(d, series.lengths[k]);
-            const auto oddLength = hn::Set(d, series.lengths[k - 1]);
-            const auto evenSpeed = hn::Set(d, series.speeds[k - 2]);
-            const auto oddSpeed = hn::Set(d, series.speeds[k - 1]);
-            evenLength0 = hn::MulAdd(evenLength0, y0, evenLength);
-            evenLength1 = hn::MulAdd(evenLength1, y1, evenLength);
-            oddLength0 = hn::MulAdd(oddLength0, y0, oddLength);
-            oddLength1 = hn::MulAdd(oddLength1, y1, oddLength);
-            evenSpeed0 = hn::MulAdd(evenSpeed0, y0, evenSpeed);
-            evenSpeed1 = hn::MulAdd(evenSpeed1, y1, evenSpeed);
-            oddSpeed0 = hn::MulAdd(oddSpeed0, y0, oddSpeed);
-            oddSpeed1 = hn::MulAdd(oddSpeed1, y1, oddSpeed);
+        constexpr auto last = std::tuple_size_v<Eight> - 1;
+        Vector y[n], evenLength[n], oddLength[n], evenSpeed[n], oddSpeed[n];
+        for (std::size_t i = 0; i < n; ++i) {
+            y[i] = hn::Mul(searches[i].x, searches[i].x);
+            evenLength[i] = hn::Set(d, series.evenLength[last]);
+            oddLength[i] = hn::Set(d, series.oddLength[last]);
+            evenSpeed[i] = hn::Set(d, series.evenSpeed[last]);
+            oddSpeed[i] = hn::Set(d, series.oddSpeed[last]);
         }
-        const auto atMiddle = hn::Set(d, series.lengths[0]);
-        evenLength0 = hn::MulAdd(evenLength0, y0, atMiddle);
-        evenLength1 = hn::MulAdd(evenLength1, y1, atMiddle);
-        const bool isFirst = round == 0;
-        const auto size0 = advance(one, hn::MulAdd(oddLength0, one.x, evenLength0),
-                                   hn::MulAdd(oddSpeed0, one.x, evenSpeed0), isFirst);
-        const auto size1 = advance(other, hn::MulAdd(oddLength1, other.x, evenLength1),
-                                   hn::MulAdd(oddSpeed1, other.x, evenSpeed1), isFirst);
-        const auto limit = hn::Set(d, isFirst ? enough * enough : enough);
-        if (hn::AllTrue(d, hn::Lt(hn::Max(size0, size1), limit))) {
+        for (std::size_t k = last; k-- > 0;) {
+            for (std::size_t i = 0; i < n; ++i) {
+                evenLength[i] = hn::MulAdd(evenLength[i], y[i], hn::Set(d, series.evenLength[k]));
+                oddLength[i] = hn::MulAdd(oddLength[i], y[i], hn::Set(d, series.oddLength[k]));
+                evenSpeed[i] = hn::MulAdd(evenSpeed[i], y[i], hn::Set(d, series.evenSpeed[k]));
+                oddSpeed[i] = hn::MulAdd(oddSpeed[i], y[i], hn::Set(d, series.oddSpeed[k]));
+            }
+        }
+        auto largest = hn::Zero(d);
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto x = searches[i].x;
+            const auto fromStart = hn::MulAdd(evenLength[i], y[i], hn::Set(d, series.middle));
+            const auto length = hn::MulAdd(oddLength[i], x, fromStart);
+            const auto speed = hn::MulAdd(oddSpeed[i], x, evenSpeed[i]);
+            largest = hn::Max(largest, advance(searches[i], length, speed, isClose));
+        }
+        if (hn::AllTrue(d, hn::Lt(largest, hn::Set(d, enough)))) {
             break;
         }
+        isClose = hn::AllTrue(d, hn::Lt(largest, hn::Set(d, close)));
     }
-    a = one.x;
-    b = other.x;
+    for (std::size_t i = 0; i < n; ++i) {
+        v[i] = searches[i].x;
+    }
 }
 
-void invertMany(const LengthSeries& series, double* lengths, std::size_t count) {
+/// n vectors of lengths.
+template <std::size_t n>
+HWY_INLINE void invertSome(const LengthSeries& series, const PanelPlace& place, double* lengths) {
     const Doubles d;
     const auto lanes = hn::Lanes(d);
-    std::size_t i = 0;
-    for (; i + 2 * lanes <= count; i += 2 * lanes) {
-        auto a = hn::LoadU(d, lengths + i);
-        auto b = hn::LoadU(d, lengths + i + lanes);
-        invertTwo(series, a, b);
-        hn::StoreU(a, d, lengths + i);
-        hn::StoreU(b, d, lengths + i + lanes);
+    const auto before = hn::Set(d, place.lengthBefore);
+    const auto toSeries = hn::Set(d, place.toSeries);
+    Vector v[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        v[i] = hn::Mul(hn::Sub(hn::LoadU(d, lengths + i * lanes), before), toSeries);
     }
-    if (i < count) {
-        const auto first = hn::FirstN(d, count - i);
-        const auto second = hn::FirstN(d, count - HWY_MIN(i + lanes, count));
-        auto a = hn::MaskedLoad(first, d, lengths + i);
-        auto b = hn::MaskedLoad(second, d, lengths + i + lanes);
-        invertTwo(series, a, b);
-        hn::BlendedStore(a, first, d, lengths + i);
-        hn::BlendedStore(b, second, d, lengths + i + lanes);
+    invertVectors<n>(series, v);
+    const auto start = hn::Set(d, place.start), end = hn::Set(d, place.end);
+    const auto middle = hn::Set(d, 0.5 * (place.start + place.end));
+    const auto half = hn::Set(d, 0.5 * (place.end - place.start));
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto u = hn::MulAdd(half, v[i], middle);
+        hn::StoreU(hn::Min(hn::Max(u, start), end), d, lengths + i * lanes);
+    }
+}
+
+void invertMany(const LengthSeries& series, const PanelPlace& place, double* lengths,
+                std::size_t count) {
+    // As many abreast as the registers hold, and no more than there are.
+    constexpr std::size_t most = hn::MaxLanes(Doubles()) >= 8 ? 4 : 2;
+    const auto lanes = hn::Lanes(Doubles());
+    double filledUp[most * hn::MaxLanes(Doubles())];
+    while (count > 0) {
+        const auto abreast = HWY_MIN(most, (count + lanes - 1) / lanes);
+        const auto taken = HWY_MIN(count, abreast * lanes);
+        auto* const here = taken < abreast * lanes ? filledUp : lengths;
+        if (here != lengths) {
+            std::fill(std::copy_n(lengths, taken, here), here + abreast * lanes,
+                      place.lengthBefore);
+        }
+        switch (abreast) {
+        case 1: invertSome<1>(series, place, here); break;
+        case 2: invertSome<2>(series, place, here); break;
+        case 3: invertSome<HWY_MIN(most, 3)>(series, place, here); break;
+        default: invertSome<most>(series, place, here);
+        }
+        if (here != lengths) {
+            std::copy_n(here, taken, lengths);
+        }
+        lengths += taken;
+        count -= taken;
     }
 }
 
@@ -174,16 +220,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace splineloft::lanes {
 
+HWY_EXPORT(weigh);
 HWY_EXPORT(integrate);
 HWY_EXPORT(invertMany);
 
-void integrateSpeeds(const PowerTables& tables, const Eight& sums, const Eight& differences,
-                     LengthSeries& series) {
-    HWY_DYNAMIC_DISPATCH(integrate)(tables, sums, differences, series);
+void weighPairs(const EightByEight& even, const EightByEight& odd, const EightPairs& pairs,
+                Eight& ofSums, Eight& ofDifferences) {
+    HWY_DYNAMIC_DISPATCH(weigh)(even, odd, pairs, ofSums, ofDifferences);
 }
 
-void invertLengths(const LengthSeries& series, double* lengths, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(invertMany)(series, lengths, count);
+EndSpeeds integrateSeries(const EightByEight& evenPowers, const EightByEight& oddPowers,
+                          const Eight& even, const Eight& odd, LengthSeries& series) {
+    return HWY_DYNAMIC_DISPATCH(integrate)(evenPowers, oddPowers, even, odd, series);
+}
+
+void invertLengths(const LengthSeries& series, const PanelPlace& place, double* lengths,
+                   std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(invertMany)(series, place, lengths, count);
 }
 
 } // namespace splineloft::lanes

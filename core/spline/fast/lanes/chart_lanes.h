@@ -1,40 +1,50 @@
 // Lengths along a curve as series, and their inverse, compiled for every set of instructions.
 #pragma once
 
+#include "core/spline/fast/lanes/speed_lanes.h"
+
 #include <array>
 #include <cstddef>
 
 namespace splineloft::lanes {
 
-/// The length s(x) from the start of a panel, -1 <= x <= 1, and where to begin to seek x.
-struct LengthSeries {
-    static constexpr std::size_t count = 16;
-
-    std::array<double, count + 1> lengths{}; ///< powers of x
-    std::array<double, count> speeds{};      ///< powers of x: the derivative
-    std::array<double, 6> start{}; ///< x(s), about: Newton's divided differences over the lengths
-                                   ///< 0, 0, middle, middle, whole, whole
-    double middle = 0;             ///< length at x = 0
-    double whole = 0;              ///< length at x = 1
-};
-
-/// Eight numbers, and eight times eight, column after column.
-using Eight = std::array<double, 8>;
+/// Eight times eight numbers, column after column.
 using EightByEight = std::array<Eight, 8>;
 
-/// What makes powers of a function's values at pairs of places +x and -x: first the coefficients of
-/// its Legendre series, of these the powers. The even ones are made of the sums of the pairs, the
-/// odd ones of the differences.
-struct PowerTables {
-    EightByEight evenCoefficients, evenPowers, oddCoefficients, oddPowers;
+/// `even` times the sums of the pairs, `odd` times their differences.
+void weighPairs(const EightByEight& even, const EightByEight& odd, const EightPairs& pairs,
+                Eight& ofSums, Eight& ofDifferences);
+
+/// The length s(x) from the start of a panel, -1 <= x <= 1, and where to begin to seek x.
+struct LengthSeries {
+    Eight evenSpeed, oddSpeed;     ///< s'(x): powers 0, 2 to 14 of x, and 1, 3 to 15
+    Eight oddLength, evenLength;   ///< s(x): powers 1, 3 to 15, and 2, 4 to 16
+    double middle = 0;             ///< s(0)
+    double whole = 0;              ///< s(1)
+    std::array<double, 6> start{}; ///< x(s), about: Newton's divided differences over the lengths
+                                   ///< 0, 0, middle, middle, whole, whole
 };
 
-/// Fills in the speeds, and of the lengths all but the first, from sums and differences of speeds.
-void integrateSpeeds(const PowerTables& tables, const Eight& sums, const Eight& differences,
-                     LengthSeries& series);
+/// Speeds at the ends of a panel, x = -1 and x = 1.
+struct EndSpeeds {
+    double before, after;
+};
 
-/// The values of x at which `count` lengths are reached, which replace them: steps of third order
-/// from the start. The speed must be well above zero everywhere.
-void invertLengths(const LengthSeries& series, double* lengths, std::size_t count);
+/// Fills in all but the start, from the Legendre coefficients of the speed: of even orders, and of
+/// odd ones. `evenPowers` and `oddPowers` make powers of these.
+EndSpeeds integrateSeries(const EightByEight& evenPowers, const EightByEight& oddPowers,
+                          const Eight& even, const Eight& odd, LengthSeries& series);
+
+/// How a panel lies on its curve.
+struct PanelPlace {
+    double lengthBefore = 0; ///< of the curve, to its start
+    double toSeries = 1;     ///< what lengths are multiplied by to be those of the series
+    double start = 0, end = 1;
+};
+
+/// Puts in the place of `count` lengths of a curve the parameters where it reaches them, by
+/// Newton's method from the start. The speed must be well above zero everywhere.
+void invertLengths(const LengthSeries& series, const PanelPlace& place, double* lengths,
+                   std::size_t count);
 
 } // namespace splineloft::lanes
