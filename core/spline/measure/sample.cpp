@@ -1,5 +1,7 @@
 #include "core/spline/measure/sample.h"
 
+#include "core/spline/fast/lanes/place_lanes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,45 +15,38 @@ namespace {
 std::vector<double> evenLengths(const ArcLength& lengths, std::size_t count) {
     std::vector<double> even(count);
     const double total = lengths.total();
+    const double over = 1 / static_cast<double>(count - 1);
     for (std::size_t i = 0; i < count; ++i) {
-        even[i] = static_cast<double>(i) / static_cast<double>(count - 1) * total;
+        even[i] = static_cast<double>(i) * over * total;
     }
+    even.back() = total;
     return even;
 }
 
-/// Places of spots of one polynomial cubic piece, from the powers of u about its nearer end.
-template <std::size_t dimension>
-void placesOnCubic(const Piece& piece, std::span<const Spot> spots, double* places) {
-    const double* const p = piece.coordinates.data();
-    std::array<std::array<double, 4>, dimension> rise, fall;
+/// Places at values of u on one polynomial cubic piece in the plane or in space.
+void placesOnCubic(const Piece& piece, std::span<const double> u, std::span<double> places) {
+    const auto dimension = static_cast<std::size_t>(piece.dimension);
+    std::array<lanes::CubicFromEnds, 3> cubic;
     for (std::size_t k = 0; k < dimension; ++k) {
-        const double p0 = p[k], p1 = p[dimension + k];
-        const double p2 = p[2 * dimension + k], p3 = p[3 * dimension + k];
+        const double* const p = &piece.coordinates[k];
+        const double p0 = p[0], p1 = p[dimension], p2 = p[2 * dimension], p3 = p[3 * dimension];
         const double cube = (p3 - p0) + 3 * (p1 - p2);
-        rise[k] = {p0, 3 * (p1 - p0), 3 * ((p2 - p1) - (p1 - p0)), cube};
-        fall[k] = {p3, 3 * (p2 - p3), 3 * ((p1 - p2) - (p2 - p3)), -cube};
+        cubic[k] = {{p0, 3 * (p1 - p0), 3 * ((p2 - p1) - (p1 - p0)), cube},
+                    {p3, 3 * (p2 - p3), 3 * ((p1 - p2) - (p2 - p3)), -cube}};
     }
-    for (const auto& spot : spots) {
-        const bool isEarly = spot.u <= 0.5;
-        const auto& powers = isEarly ? rise : fall;
-        const double v = isEarly ? spot.u : 1 - spot.u;
-        for (const auto& c : powers) {
-            *places++ = c[0] + v * (c[1] + v * (c[2] + v * c[3]));
-        }
-    }
+    lanes::placeOnCubic(cubic, dimension, u.data(), u.size(), places.data());
 }
 
-/// Places of spots of one piece.
-void placesOn(const Piece& piece, std::span<const Spot> spots, double* places) {
-    if (piece.degree == 3 && piece.form == Form::polynomial && piece.dimension == 2) {
-        return placesOnCubic<2>(piece, spots, places);
+/// Places at values of u on one piece.
+void placesOn(const Piece& piece, std::span<const double> u, std::span<double> places) {
+    if (piece.degree == 3 && piece.form == Form::polynomial &&
+        (piece.dimension == 2 || piece.dimension == 3)) {
+        return placesOnCubic(piece, u, places);
     }
-    if (piece.degree == 3 && piece.form == Form::polynomial && piece.dimension == 3) {
-        return placesOnCubic<3>(piece, spots, places);
-    }
-    for (const auto& spot : spots) {
-        const Point position = piece.position(spot.u);
-        places = std::ranges::copy(position.coordinates(), places).out;
+    auto place = places.begin();
+    for (const double at : u) {
+        const Point position = piece.position(at);
+        place = std::ranges::copy(position.coordinates(), place).out;
     }
 }
 
@@ -120,16 +115,15 @@ void spreadPlaces(const Pieces& pieces, const ArcLength& lengths, std::size_t co
         throw std::invalid_argument("the room for places must be " + std::to_string(count) +
                                     " points of " + std::to_string(stride) + " numbers");
     }
-    const auto spots = spread(pieces, lengths, Even::length, count);
-    for (std::size_t first = 0; first < count;) {
-        auto after = first + 1;
-        while (after < count && spots[after].segment == spots[first].segment) {
-            ++after;
-        }
-        placesOn(pieces[spots[first].segment], std::span(spots).subspan(first, after - first),
-                 &places[first * stride]);
-        first = after;
+    auto u = evenLengths(lengths, count);
+    std::size_t first = 0;
+    for (const auto& run : lengths.toParameters(u)) {
+        placesOn(pieces[run.segment], std::span(u).subspan(first, run.count),
+                 places.subspan(first * stride, run.count * stride));
+        first += run.count;
     }
+    const double end = 1; // also where the curve has no length
+    placesOn(pieces[pieces.size() - 1], std::span(&end, 1), places.last(stride));
 }
 
 std::vector<Spot> spreadPerPiece(const Pieces& pieces, std::size_t perPiece) {
