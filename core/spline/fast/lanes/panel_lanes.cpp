@@ -165,10 +165,15 @@ class BranchPoints {
 
     HWY_INLINE BranchPoints(Complex a, Complex b, Complex c, Complex root, double tolerance)
         : one_(sumOf(b, root), c), other_(a, sumOf(b, root)) {
-        // How fast the speed grows with the distance from a branch point, at most.
-        const double apart = std::abs(one_.u - other_.u) + one_.height + other_.height;
-        const double strength =
-            one_.isNear && other_.isNear ? aboutSize(c) * apart : aboutSize(root);
+        // How fast the speed grows with the distance from a branch point, at most. The difference
+        // of the points is root / c, their sum -b / c: known before the points are.
+        const Complex overC = 1 / norm(c) * Complex{c.x, -c.y};
+        const auto difference = root * overC;
+        const double heights =
+            std::max(std::abs(difference.y), std::abs(b.x * overC.y + b.y * overC.x));
+        const double strength = one_.isNear && other_.isNear
+                                    ? aboutSize(c) * (std::abs(difference.x) + heights)
+                                    : aboutSize(root);
         ratio_ = errorOfUnitKink / tolerance * strength;
         const double flat = 0.5 * tolerance;
         one_.isCorner = errorBesideCorner * strength * one_.height * one_.height <= flat;
