@@ -152,7 +152,8 @@ States warmedUp(const double* x, const double* y, const SlopeBlock& block) {
     Fronts fronts;
     fronts.enter(states);
     // The first chain, which has nothing before it, goes through its own rows for nothing.
-    const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(block.first) - warmUp;
+    const std::ptrdiff_t before =
+        static_cast<std::ptrdiff_t>(block.first) - static_cast<std::ptrdiff_t>(warmUp);
     const Cursor cursor(x + before, y + before, block.length, warmUp);
     cursor.place(fronts);
     for (std::size_t row = 0; row < warmUp; ++row) {
