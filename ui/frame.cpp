@@ -197,12 +197,23 @@ void carryOut(Session& session, std::optional<Edit> edit) {
     }
 }
 
-void beginImGui(const Screen& screen, std::span<const InputEvent> events, double seconds) {
+/// Tab moves among fields while one is typed in; otherwise it goes through the points, and the
+/// panel that was clicked last must not hear it as well.
+bool isForPoints(const InputEvent& event, const Session& session) {
+    const auto* key = std::get_if<KeyChanged>(&event);
+    return key != nullptr && key->key == Key::tab && key->down && !session.dialog &&
+           !isPopupOpen() && !ImGui::GetIO().WantTextInput;
+}
+
+void beginImGui(const Session& session, const Screen& screen, std::span<const InputEvent> events,
+                double seconds) {
     auto& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(screen.width), static_cast<float>(screen.height)};
     io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
     for (const auto& event : events) {
-        feed(io, event);
+        if (!isForPoints(event, session)) {
+            feed(io, event);
+        }
     }
     ImGui::NewFrame();
 }
@@ -249,7 +260,7 @@ FrameResult runFrame(Session& session, const Screen& window, std::span<const Inp
     const Screen screen = scaled(window, session.view); // what happens in it counts from the next
     const Theme& theme = themeOf(session.view.theme);
     applyStyle(theme, screen.scale);
-    beginImGui(screen, events, seconds);
+    beginImGui(session, screen, events, seconds);
     takeEvents(session, events);
     advance(session, seconds);
 

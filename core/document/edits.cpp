@@ -181,11 +181,17 @@ Inserted appendPoint(const Document& document, std::size_t curve, const Point& p
         return {insertPoint(document, curve, n, place), {curve, n}};
     }
     Document next = changed(document, curve, [&](Curve& changing, HandleModes& modes) {
+        const auto before = lastAnchor(changing);
         appendAnchor(changing, place);
-        continueMode(modes, n - 1, changing.points.size() - 1);
+        continueMode(modes, before, changing.points.size() - 1);
     });
     const auto last = next.curves[curve]->points.size() - 1;
     return {std::move(next), {curve, last}};
+}
+
+Document startHandle(const Document& document, std::size_t curve, const Point& place) {
+    return changed(document, curve,
+                   [&](Curve& changing, HandleModes&) { changing.points.append(place); });
 }
 
 Document deletePoints(const Document& document, std::span<const PointId> ids) {

@@ -49,6 +49,9 @@ Inserted insertOnCurve(const Document& document, std::size_t curve, Spot spot);
 /// Adds a control point after the last; a Bézier spline also gets the two handles in between.
 Inserted appendPoint(const Document& document, std::size_t curve, const Point& place);
 
+/// Gives a Bézier spline of a single anchor the handle that leaves it.
+Document startHandle(const Document& document, std::size_t curve, const Point& place);
+
 /// Deletes control points, and every curve that has none left. In a Bézier spline an anchor goes
 /// with its handles, and a handle alone is drawn in to its anchor.
 Document deletePoints(const Document& document, std::span<const PointId> ids);

@@ -147,11 +147,16 @@ std::size_t cutPiece(Curve& curve, Spot spot) {
     return first + 3;
 }
 
+std::size_t lastAnchor(const Curve& curve) {
+    return (curve.points.size() - 1) / 3 * 3;
+}
+
 void appendAnchor(Curve& curve, const Point& place) {
-    const auto n = curve.points.size();
-    const Point from = curve.points.at(n - 1);
-    if (n % 3 == 1) {
+    const Point from = curve.points.at(lastAnchor(curve));
+    if (curve.points.size() % 3 == 1) {
         curve.points.append(from + onward(curve, place - from));
+    }
+    if (curve.points.size() % 3 == 2) {
         curve.points.append(from + (2.0 / 3) * (place - from));
     }
     curve.points.append(place);

@@ -66,8 +66,11 @@ template <class Number> HandleModes renumbered(const HandleModes& modes, Number 
 /// the halves. Returns the index of the new anchor.
 std::size_t cutPiece(Curve& curve, Spot spot);
 
-/// Adds an anchor after the last, with the two handles in between: straight, or on along a handle
-/// that was pulled out of its line.
+/// The last anchor of an open curve with handles, which has at least one. Handles may follow it.
+std::size_t lastAnchor(const Curve& curve);
+
+/// Adds an anchor after the last, with those of the two handles in between that are not there yet:
+/// straight, or on along a handle that was pulled out of its line.
 void appendAnchor(Curve& curve, const Point& place);
 
 /// Deletes points: anchors go with their handles, a handle alone is drawn in to its anchor.

@@ -86,6 +86,23 @@ TEST(Canvas, fitShowsEverythingWhereverItIs) {
     }
 }
 
+TEST(Canvas, everyKeyForItFits) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    for (const auto& [key, held] : {std::pair{Key::f, Modifiers{}},
+                                    {Key::home, Modifiers{}},
+                                    {Key::digit0, Modifiers{.control = true}}}) {
+        driver.send(PointerMoved{300, 300});
+        driver.send(WheelTurned{0, 30, {}});
+        driver.settle();
+        ASSERT_FALSE(driver.session.canvas.contains(driver.atPoint(6))) << "the view was elsewhere";
+        driver.key(key, held);
+        for (std::size_t i = 0; i < 7; ++i) {
+            EXPECT_TRUE(driver.session.canvas.contains(driver.atPoint(i))) << "P" << i;
+        }
+    }
+}
+
 TEST(Canvas, fitBeginsWithThePointItself) {
     Curve curve = curveOf("linear");
     curve.points = {{0, 0}, {-5, -5}, {-4, -6}};

@@ -3,10 +3,13 @@
 #include "driver.h"
 #include "hand.h"
 
+#include "core/document/handle_modes.h"
 #include "ui/canvas/viewport.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+
+#include <set>
 
 namespace splineloft::ui {
 namespace {
@@ -54,6 +57,42 @@ TEST(Hands, arrowsStepTheTravellerWhereNothingIsSelected) {
     hand.key(Key::left);
     EXPECT_FALSE(hand.session.view.playing) << "a step stops it";
     EXPECT_EQ(hand.steps(), 0);
+}
+
+TEST(Hands, arrowsThatStopThePlayMoveNoPoint) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    const Points before = driver.session.document().curves[0]->points;
+    for (const bool held : {true, false}) {
+        driver.session.view.selection = {{0, 3}};
+        driver.session.view.playing = true;
+        for (int k = 0; k < 3; ++k) {
+            const Spot at = driver.session.view.cursor;
+            if (held) {
+                driver.send(KeyChanged{Key::left, true, k > 0, {}});
+                driver.settle();
+            } else {
+                driver.key(Key::left);
+            }
+            EXPECT_FALSE(driver.session.view.cursor == at) << "it steps";
+        }
+        driver.send(KeyChanged{Key::left, false, false, {}});
+        EXPECT_EQ(driver.session.document().curves[0]->points, before);
+        EXPECT_EQ(driver.steps(), 0);
+    }
+}
+
+TEST(Hands, tabGoesThroughThePointsAfterAClickInAPanel) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    driver.click(pointRow(2));
+    ASSERT_EQ(driver.session.view.selection, (Selection{{0, 2}}));
+    driver.move(driver.at({0, 0}));
+    for (const std::size_t next : {3, 4, 5}) {
+        driver.key(Key::tab);
+        EXPECT_EQ(driver.session.view.selection, (Selection{{0, next}}));
+        EXPECT_FALSE(ImGui::GetIO().WantTextInput) << "no field takes the keyboard";
+    }
 }
 
 TEST(Hands, tabGoesThroughThePoints) {
@@ -145,6 +184,29 @@ TEST(Clipboard, copiesCutsAndPastesPoints) {
     EXPECT_EQ(driver.steps(), 2);
 }
 
+TEST(Clipboard, copiesCutsAndPastesWholeCurvesWhereNoPointIsSelected) {
+    Driver driver(documentOf({curveOf("b-spline")}));
+    driver.settle();
+    driver.move(driver.at({0, 0}));
+    driver.key(Key::c, withControl);
+    driver.key(Key::v, withControl);
+    ASSERT_EQ(driver.session.document().curves.size(), 2U);
+    EXPECT_EQ(driver.curve().family, "b-spline");
+    const Points pasted = driver.curve().points;
+    ASSERT_EQ(pasted.size(), 7U);
+    for (std::size_t i = 0; i < 7; ++i) {
+        EXPECT_LE(distance(pasted.at(i) - sevenPoints().at(i), pasted.at(0) - sevenPoints().at(0)),
+                  1e-12)
+            << "all are moved by the same";
+    }
+    driver.session.view.selection.clear();
+    driver.key(Key::x, withControl);
+    EXPECT_EQ(driver.session.document().curves.size(), 1U);
+    driver.key(Key::v, withControl);
+    EXPECT_EQ(driver.session.document().curves.size(), 2U);
+    EXPECT_EQ(driver.steps(), 3);
+}
+
 TEST(Clipboard, pastesSvgPathsAndSaysWhatIsWrong) {
     Driver driver(documentOf({curveOf("cardinal")}));
     driver.settle();
@@ -192,12 +254,16 @@ TEST(Hands, twoEndsAreJoinedAndACurveIsSplit) {
 TEST(Hands, oneKeyGoesThroughTheKindsOfHandles) {
     Hand hand(documentOf({curveOf("bezier-spline")}));
     hand.session.view.selection = {{0, 3}};
+    std::set<HandleMode> seen;
     for (int i = 0; i < 4; ++i) {
+        const HandleMode before = modeOf(hand.session.document().curves[0], 3);
         hand.key(Key::m);
+        const HandleMode now = modeOf(hand.session.document().curves[0], 3);
+        EXPECT_EQ(now, nextHandleMode(before));
+        EXPECT_TRUE(hand.session.notice) << "it says which";
+        seen.insert(now);
     }
-    EXPECT_LE(hand.steps(), 4);
-    EXPECT_GE(hand.steps(), 2);
-    EXPECT_TRUE(hand.session.notice);
+    EXPECT_EQ(seen.size(), 4U);
 }
 
 } // namespace

@@ -128,6 +128,22 @@ TEST(DeleteGesture, deletesWhatIsSelectedAndSelectsNothingElse) {
     }
 }
 
+TEST(DeleteGesture, withControlTheCurveHeals) {
+    for (const Key key : {Key::del, Key::backspace}) {
+        Hand hand(documentOf({curveOf("bezier-spline")}));
+        const Pieces before = hand.session.studies[0].pieces();
+        hand.doubleClick(hand.placeAt({1, 0.4}));
+        ASSERT_EQ(hand.session.studies[0].pieces().size(), before.size() + 1);
+        hand.key(key, withControl);
+        const Pieces after = hand.session.studies[0].pieces();
+        ASSERT_EQ(after.size(), before.size());
+        EXPECT_LE(deviation(after, before), 1e-9) << "what was cut in heals without a trace";
+        EXPECT_TRUE(hand.session.view.selection.empty());
+        EXPECT_EQ(hand.steps(), 2);
+        EXPECT_EQ(hand.session.history.undoLabel().substr(0, 15), "Delete and heal");
+    }
+}
+
 TEST(DeleteGesture, theLastPointTakesTheCurveWithIt) {
     for (const auto& family : catalog()) {
         Hand hand(documentOf({curveOf(family.id), curveOf("linear")}));

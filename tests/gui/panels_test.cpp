@@ -122,6 +122,43 @@ TEST(Panels, aNumberMayBeWorkedOut) {
     EXPECT_EQ(driver.steps(), 1);
 }
 
+TEST(Panels, aSelectionIsMovedScaledAndTurnedByNumbers) {
+    struct Case {
+        const char* label;
+        const char* number;
+        std::array<double, 4> box; // left, right, bottom, top afterwards
+    };
+    // A box from -3 to 1 and from 0 to 2: about its middle (-1, 1).
+    const Points square = {{9, 9}, {-3, 0}, {1, 0}, {1, 2}, {-3, 2}, {7, -8}};
+    for (const auto& [label, number, box] :
+         {Case{"x", "4", {2, 6, 0, 2}}, Case{"y", "1 - 6", {-3, 1, -6, -4}},
+          Case{"width", "2*3", {-4, 2, 0, 2}}, Case{"height", "1", {-3, 1, 0.5, 1.5}},
+          Case{"turn \u00B0", "90", {-2, 0, -1, 3}}, Case{"scale %", "50", {-2, 0, 0.5, 1.5}}}) {
+        Curve curve = curveOf("linear");
+        curve.points = square;
+        Driver driver(documentOf({curve}));
+        driver.settle();
+        driver.session.view.selection = {{0, 1}, {0, 2}, {0, 3}, {0, 4}};
+        driver.settle();
+        driver.enter({"inspector", {label, "##selection"}}, number);
+        const Points after = driver.curve().points;
+        double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
+        for (const std::size_t i : {1, 2, 3, 4}) {
+            left = std::min(left, after.at(i)[0]);
+            right = std::max(right, after.at(i)[0]);
+            bottom = std::min(bottom, after.at(i)[1]);
+            top = std::max(top, after.at(i)[1]);
+        }
+        EXPECT_NEAR(left, box[0], 1e-12) << label;
+        EXPECT_NEAR(right, box[1], 1e-12) << label;
+        EXPECT_NEAR(bottom, box[2], 1e-12) << label;
+        EXPECT_NEAR(top, box[3], 1e-12) << label;
+        EXPECT_EQ(after.at(0), square.at(0)) << label << ": others stay";
+        EXPECT_EQ(after.at(5), square.at(5)) << label << ": others stay";
+        EXPECT_EQ(driver.steps(), 1) << label;
+    }
+}
+
 TEST(Panels, aClickElsewhereTakesTheNumberToo) {
     Driver driver(documentOf({curveOf("cardinal")}));
     driver.click(sliderField("tension"));

@@ -73,6 +73,23 @@ TEST(PenGesture, pullsOutTheHandleOfABezierSpline) {
         << "and the handle leaving is where the hand let go";
 }
 
+TEST(PenGesture, pullsOutTheHandleOfTheFirstPoint) {
+    Hand hand = penOn(documentOf({curveOf("bezier-spline", true)}));
+    hand.drag({-1, 2}, {-0.5, 2.75});
+    ASSERT_EQ(hand.session.document().curves.size(), 2U);
+    EXPECT_EQ(hand.curve(1).points, (Points{{-1, 2}, {-0.5, 2.75}}));
+    EXPECT_FALSE(problemOf(hand.session.document()));
+    hand.drag({1, 2}, {1, 1});
+    ASSERT_EQ(hand.curve(1).points.size(), 4U);
+    EXPECT_EQ(hand.curve(1).points.at(1), (Point{-0.5, 2.75})) << "it stays";
+    EXPECT_EQ(hand.curve(1).points.at(2), (Point{1, 3})) << "opposite to the hand";
+    EXPECT_EQ(hand.curve(1).points.at(3), (Point{1, 2}));
+    EXPECT_EQ(hand.steps(), 2);
+    hand.session.undo();
+    hand.session.undo();
+    EXPECT_EQ(hand.session.document().curves.size(), 1U);
+}
+
 TEST(PenGesture, pullsOutTheTangentOfAHermiteSpline) {
     Hand hand = penOn(documentOf({curveOf("hermite")}));
     hand.drag({-1, 2}, {-0.5, 2.75});

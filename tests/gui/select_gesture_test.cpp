@@ -124,6 +124,31 @@ TEST(SelectGesture, aBoxOverSeveralCurvesKeepsTheCursorOnACurve) {
     EXPECT_LT(hand.session.view.cursor.segment, hand.session.active()->pieces().size());
 }
 
+TEST(SelectGesture, aGhostShowsOnOtherCurvesToo) {
+    Curve other = curveOf("linear");
+    for (std::size_t i = 0; i < other.points.size(); ++i) {
+        other.points.set(i, other.points.at(i) + Point{0.3, 9});
+    }
+    Hand hand(documentOf({curveOf("cardinal"), other}));
+    const PlanePoint there = hand.placeAt({1, 0.5}, 1);
+    hand.move(there);
+    ASSERT_TRUE(hand.session.view.ghost);
+    EXPECT_EQ(hand.session.view.ghost->curve, 1U);
+    hand.click(there, withControl);
+    EXPECT_EQ(hand.curve(1).points.size(), other.points.size() + 1);
+    EXPECT_EQ(hand.session.view.activeCurve, 1U);
+    EXPECT_EQ(hand.steps(), 1);
+}
+
+TEST(SelectGesture, escapeClearsTheSelectionAndNothingElse) {
+    Hand hand = handOnCardinal();
+    hand.click(hand.place(3));
+    ASSERT_FALSE(hand.session.view.selection.empty());
+    hand.key(Key::escape);
+    EXPECT_TRUE(hand.session.view.selection.empty());
+    EXPECT_EQ(hand.steps(), 0);
+}
+
 TEST(SelectGesture, theHintNamesWhatIsUnderThePointer) {
     Hand hand = handOnCardinal();
     hand.move(hand.place(3));
@@ -131,8 +156,8 @@ TEST(SelectGesture, theHintNamesWhatIsUnderThePointer) {
     hand.move(hand.placeAt({2, 0.5}));
     EXPECT_FALSE(hand.session.view.hovered);
     ASSERT_TRUE(hand.session.view.ghost) << "over the curve a ghost point shows";
-    EXPECT_EQ(hand.session.view.ghost->segment, 2U);
-    EXPECT_NEAR(hand.session.view.ghost->u, 0.5, 1e-6);
+    EXPECT_EQ(hand.session.view.ghost->spot.segment, 2U);
+    EXPECT_NEAR(hand.session.view.ghost->spot.u, 0.5, 1e-6);
     hand.move(nowhere);
     EXPECT_FALSE(hand.session.view.ghost);
 }

@@ -78,9 +78,11 @@ std::string hintFor(const Gesture& gesture, const View& view, const Document& do
     if (view.hoversStem) {
         return "Drag to change the value at this point · double-click for the neutral value";
     }
-    if (view.ghost) {
-        const bool keeps = insertionKeepsShape(*document.curves[view.activeCurve]);
-        return std::string("Drag to slide u · double-click to insert a point here") +
+    if (view.ghost && view.ghost->curve < document.curves.size()) {
+        const bool keeps = insertionKeepsShape(*document.curves[view.ghost->curve]);
+        return std::string(view.ghost->curve == view.activeCurve ? "Drag to slide u"
+                                                                 : "Click to work on this curve") +
+               " · double-click to insert a point here" +
                (keeps ? ": the curve keeps its shape" : "");
     }
     return document.curves.empty()

@@ -73,7 +73,7 @@ class Illustration {
     }
 
     void activeCurve(const Study& study) {
-        if (view_.ghost) {
+        if (view_.ghost && view_.ghost->curve == view_.activeCurve) {
             curve(study, {Role::curveHalo});
         }
         if (view_.layers.comb) {
@@ -173,10 +173,10 @@ class Illustration {
             view_.hovered->curve < s_.live.curves.size()) {
             mark(placeOf(s_.studies, view_.axes, *view_.hovered), SignShape::ring, {Role::hovered});
         }
-        if (view_.ghost && view_.activeCurve < s_.studies.size()) {
-            const auto& plane = s_.studies[view_.activeCurve].plane(view_.axes);
-            if (view_.ghost->segment < plane.size()) {
-                const Point p = plane.position(*view_.ghost);
+        if (view_.ghost && view_.ghost->curve < s_.studies.size()) {
+            const auto& plane = s_.studies[view_.ghost->curve].plane(view_.axes);
+            if (view_.ghost->spot.segment < plane.size()) {
+                const Point p = plane.position(view_.ghost->spot);
                 mark({p[0], p[1]}, SignShape::disc, {Role::ghost});
             }
         }

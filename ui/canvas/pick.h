@@ -13,12 +13,6 @@ namespace splineloft::ui {
 inline constexpr double pointReach = 10;
 inline constexpr double curveReach = 7;
 
-/// A spot of one of the curves.
-struct CurveHit {
-    std::size_t curve = 0;
-    Spot spot;
-};
-
 /// What was hit: a control point or tangent first, otherwise a curve.
 struct Hit {
     std::optional<PointId> point;

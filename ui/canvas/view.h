@@ -79,6 +79,12 @@ struct Renaming {
     bool begun = false; ///< its field has the keyboard
 };
 
+/// A spot of one of the curves.
+struct CurveHit {
+    std::size_t curve = 0;
+    Spot spot;
+};
+
 struct View {
     Camera camera;
     bool fitPending = true; ///< the next frame fits the document into the canvas
@@ -91,7 +97,7 @@ struct View {
     std::optional<Renaming> renaming;
     Selection selection;
     std::optional<PointId> hovered;
-    std::optional<Spot> ghost; ///< where a double click on the active curve would insert
+    std::optional<CurveHit> ghost; ///< where a double click would insert
     std::optional<Grip> hoveredGrip;
     bool hoversStem = false;
     std::optional<PointId> exactEntry; ///< whose numbers are being typed in beside it

@@ -20,6 +20,9 @@ void addSteps(std::vector<Command>& all) {
                        called(std::move(name)),
                        {{key}},
                        [part](Session& s) {
+                           if (s.view.playing) {
+                               s.view.selection.clear(); // or the next arrow would nudge it
+                           }
                            s.view.playing = false;
                            travel(s, part);
                        },

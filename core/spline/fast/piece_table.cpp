@@ -1,5 +1,7 @@
 #include "core/spline/fast/piece_table.h"
 
+#include "core/spline/fast/lanes/bucket_lanes.h"
+
 #include <algorithm>
 #include <array>
 

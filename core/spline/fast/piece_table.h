@@ -1,7 +1,7 @@
 // A table in which a value of x finds its piece of a function, however uneven the pieces are.
 #pragma once
 
-#include "core/spline/fast/lanes/bucket_lanes.h"
+#include "core/spline/fast/buckets.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +29,7 @@ class PieceTable {
     void enterSome(const double* x, std::size_t first, std::size_t last);
 
     std::size_t pieces_ = 0;
-    lanes::Buckets buckets_;
+    Buckets buckets_;
     std::vector<std::uint32_t> lastBefore_;
     std::size_t firstStep_ = 0;
 };

@@ -29,8 +29,8 @@ Reaction hover(const View& view, const PointerEvent& event, const Situation& s) 
     next.hoversStem = !hit.point && stemUnder(view, event, s);
     next.hoveredGrip = hit.point || next.hoversStem ? std::nullopt : gripUnder(view, event, s);
     const bool free = !next.hoversStem && !next.hoveredGrip && view.tool == Tool::select;
-    if (free && hit.curve && hit.curve->curve == view.activeCurve) {
-        next.ghost = hit.curve->spot;
+    if (free) {
+        next.ghost = hit.curve;
     }
     return reaction;
 }

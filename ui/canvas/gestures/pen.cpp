@@ -2,6 +2,7 @@
 #include "ui/canvas/gestures/steps.h"
 
 #include "core/document/edits.h"
+#include "core/document/handles.h"
 #include "core/spline/catalog.h"
 #include "ui/canvas/hints.h"
 #include "ui/canvas/snap.h"
@@ -43,7 +44,10 @@ Document pulled(const PlacingPoint& placing, const View& view, PlanePoint at) {
         return setPoint(placing.placed, {placing.point.curve, placing.point.index, Part::tangent},
                         3.0 * (pointer - anchor));
     }
-    if (familyOf(curve).hasHandles && placing.point.index > 0) {
+    if (familyOf(curve).hasHandles && placing.point.index == 0) {
+        return startHandle(placing.placed, placing.point.curve, pointer);
+    }
+    if (familyOf(curve).hasHandles) {
         return setPoint(placing.placed, {placing.point.curve, placing.point.index - 1, Part::point},
                         2.0 * anchor - pointer);
     }
@@ -66,8 +70,12 @@ Reaction pressWithPen(const View& view, const PointerEvent& event, const Situati
         return reaction;
     }
     const auto points = going ? s.settled.curves[view.activeCurve]->points.size() : 0;
+    const auto last = points == 0 ? 0
+                      : hasHandles(*s.settled.curves[view.activeCurve])
+                          ? lastAnchor(*s.settled.curves[view.activeCurve])
+                          : points - 1;
     const PlanePoint from =
-        points > 0 ? PointPlaces(s.settled, view.axes)[{view.activeCurve, points - 1, Part::point}]
+        points > 0 ? PointPlaces(s.settled, view.axes)[{view.activeCurve, last, Part::point}]
                    : tidied(s.viewport.toPlane(event.at), s.viewport.camera);
     const auto move = toward(event, from, {}, view, s);
     const PlanePoint at = move.from(from);

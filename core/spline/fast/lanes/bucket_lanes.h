@@ -2,21 +2,12 @@
 // instructions.
 #pragma once
 
+#include "core/spline/fast/buckets.h"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace splineloft::lanes {
-
-/// Buckets for values from `start` on, fewer than 2^32.
-struct Buckets {
-    double start = 0, perUnit = 0;
-
-    /// Never falls as the value rises, however it is rounded; so what is in a bucket is between all
-    /// that is in earlier and in later ones.
-    std::size_t of(double value) const {
-        return static_cast<std::size_t>(static_cast<std::int64_t>((value - start) * perUnit));
-    }
-};
 
 /// The buckets of rising values, as `of` says.
 void findBuckets(const Buckets& buckets, const double* values, std::size_t count,
