@@ -52,7 +52,8 @@ TEST_P(HealLaws, aHealedCurveIsNeverFartherThanOneJustWithoutThePoints) {
         EXPECT_LE(with, 1.05 * without + 1e-9);
         better += with < 0.8 * without ? 1 : 0;
     });
-    if (GetParam() != "linear" && GetParam() != "lagrange") {
+    // The few rounds under the sanitizers need not meet a curve that gains by it.
+    if (!underSanitizers && GetParam() != "linear" && GetParam() != "lagrange") {
         EXPECT_GT(better, 0) << "it is worth while";
     }
 }
