@@ -10,6 +10,7 @@
 #include "core/spline/fast/lanes/weave-inl.h"
 
 #include <cstring>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace splineloft::lanes::HWY_NAMESPACE {
@@ -68,11 +69,14 @@ void samplePiece(const Task<Lane, Number>& task, const Lane* c, std::size_t head
     }
 }
 
+#define SPLINELOFT_INLINE HWY_ATTR __attribute__((always_inline))
+
 /// The same of a cubic in power form. All that the loop needs is a local of it (the weave, too, is
 /// a copy), so stays in registers, and the processor works on several vectors at once by itself.
-template <int dimension, class Lane, class Number>
+/// `arranged`, if it is there, is the table in the order of the lanes, from `head` on.
+template <int dimension, bool isArranged, class Lane, class Number>
 void sampleCubic(const Task<Lane, Number>& task, const Lane* c, std::size_t head,
-                 Weave<dimension, Lane, Number> weave, Number* out) {
+                 const Lane* arranged, Weave<dimension, Lane, Number> weave, Number* out) {
     const Tag<Lane> d;
     constexpr auto lanes = Weave<dimension, Lane, Number>::lanes;
     const Lane* const table = task.x;
@@ -83,26 +87,28 @@ void sampleCubic(const Task<Lane, Number>& task, const Lane* c, std::size_t head
         c2[which] = hn::Set(d, c[2 * task.rowStride + which]);
         c3[which] = hn::Set(d, c[3 * task.rowStride + which]);
     }
-    const auto points = [&](std::size_t i) HWY_ATTR __attribute__((always_inline)) {
+    const auto points = [&](std::size_t i, auto isReady) SPLINELOFT_INLINE {
         Vector<Lane> p[dimension];
         for (std::size_t which = 0; which < dimension; ++which) {
-            const auto x = weave.load(table + i, which);
+            const auto x =
+                isReady.value ? hn::LoadU(d, arranged + i) : weave.load(table + i, which);
             p[which] = hn::MulAdd(hn::MulAdd(c3[which], x, c2[which]), x, c1[which]);
             p[which] = hn::MulAdd(p[which], x, c0[which]);
         }
         weave.store(p, out + i * dimension);
     };
+    constexpr std::bool_constant<isArranged> ready;
     const auto last = task.count - lanes;
-    points(0);
+    points(0, std::false_type());
     auto i = head > 0 ? head : lanes;
     for (; i + lanes < last; i += 2 * lanes) {
-        points(i);
-        points(i + lanes);
+        points(i, ready);
+        points(i + lanes, ready);
     }
     if (i < last) {
-        points(i);
+        points(i, ready);
     }
-    points(last);
+    points(last, std::false_type());
 }
 
 template <int dimension, class Lane, class Number>
@@ -112,20 +118,31 @@ void samplePieces(Task<Lane, Number> task) { // a copy, which the output cannot 
     const bool isCubic = task.degree == 3 && task.scale == nullptr;
     const bool alike = task.outStride % lanes == 0; // all pieces begin alike in their lines
     auto head = samplesToLine<dimension, Lane>(task.out);
+
+    // What is the same for all pieces is brought into order once.
+    constexpr std::size_t mostArranged = 512;
+    HWY_ALIGN Lane table[mostArranged + lanes];
+    const Lane* const arranged = table + (lanes - head) % lanes;
+    const bool isArranged =
+        dimension == 2 && isCubic && alike && task.pieces > 2 && task.count <= mostArranged;
+    for (auto i = head; isArranged && i + lanes <= task.count; i += lanes) {
+        hn::StoreU(weave.load(task.x + i, 0), Tag<Lane>(), table + (lanes - head) % lanes + i);
+    }
+
     for (std::size_t piece = 0; piece < task.pieces; ++piece) {
         const Lane* const c = task.coefficients + piece * task.pieceStride;
         Number* const out = task.out + piece * task.outStride;
+        head = alike ? head : samplesToLine<dimension, Lane>(out);
         if (task.count < lanes) {
             HWY_ALIGN Number few[lanes * dimension];
             sampleVectors<1>(task, c, 0, weave, few);
             std::memcpy(out, few, task.count * dimension * sizeof(Number));
+        } else if (isArranged) {
+            sampleCubic<dimension, true>(task, c, head, arranged, weave, out);
+        } else if (isCubic) {
+            sampleCubic<dimension, false>(task, c, head, arranged, weave, out);
         } else {
-            head = alike ? head : samplesToLine<dimension, Lane>(out);
-            if (isCubic) {
-                sampleCubic(task, c, head, weave, out);
-            } else {
-                samplePiece(task, c, head, weave, out);
-            }
+            samplePiece(task, c, head, weave, out);
         }
         for (std::size_t k = 0; k < dimension && task.starts != nullptr; ++k) {
             out[k] = task.starts[piece * task.pieceStride + k];
