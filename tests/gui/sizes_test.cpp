@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace splineloft::ui {
@@ -171,6 +172,32 @@ TEST_F(Presenting, takesThePanelsAwayAndEverythingGetsLarger) {
     EXPECT_FALSE(driver.has(inInspector("##family")));
     EXPECT_FALSE(driver.has(Widget{"tools", {"✎"}}));
     EXPECT_TRUE(allSeen());
+}
+
+TEST_F(Presenting, strokesAndPointsGetLarger) {
+    const auto largest = [&] {
+        double stroke = 0, sign = 0;
+        for (const auto& picture : driver.result.pictures) {
+            for (const auto& vertex : picture.ribbons) {
+                stroke = std::max(stroke, double(vertex.halfWidth));
+            }
+            for (const auto& pieces : picture.pieces) {
+                stroke = std::max(stroke, pieces.style.width / 2.0);
+            }
+            for (const auto& one : picture.signs) {
+                sign = std::max(sign, double(one.radius));
+            }
+        }
+        return std::pair{stroke, sign};
+    };
+    driver.settle();
+    const auto [stroke, sign] = largest();
+    ASSERT_GT(stroke, 0);
+    driver.key(Key::f11);
+    driver.frames(2);
+    const auto [thick, large] = largest();
+    EXPECT_GE(thick, 1.5 * stroke);
+    EXPECT_GE(large, 1.5 * sign);
 }
 
 TEST_F(Presenting, leavesByTheSameKeyOrEscapeAndEverythingIsAsBefore) {
