@@ -60,7 +60,16 @@ double dot(const Point& a, const Point& b) {
     return sum;
 }
 
+/// Whether a sum of squares has neither overflowed nor lost what matters of it.
+static bool isOrdinary(double sum) {
+    return sum > 0x1p-900 && sum < 0x1p900;
+}
+
 double norm(const Point& p) {
+    const double ordinary = dot(p, p);
+    if (isOrdinary(ordinary)) {
+        return std::sqrt(ordinary);
+    }
     double largest = 0;
     for (const double x : p.coordinates()) {
         largest = std::max(largest, std::abs(x));
@@ -76,7 +85,11 @@ double norm(const Point& p) {
 }
 
 double distance(const Point& a, const Point& b) {
-    return norm(a - b);
+    double sum = 0;
+    for (int i = 0; i < a.dimension(); ++i) {
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    }
+    return isOrdinary(sum) ? std::sqrt(sum) : norm(a - b);
 }
 
 Points::Points(std::initializer_list<std::initializer_list<double>> rows)

@@ -96,9 +96,11 @@ inline constexpr double gain = 8e-15;
 /// close in. `at(t)` gives its value, slope and noise.
 template <class At> double risingZero(At at, double t) {
     constexpr double enough = 1e-12; // a step of Newton's after which the error is its square
+    constexpr double exact = 1e-16;
     constexpr int mostSteps = 100;
     double low = 0;
     double high = 1;
+    double before = 0; // the last step, if it was Newton's
     for (int step = 0; step < mostSteps; ++step) {
         const auto [value, slope, noise] = at(t);
         if (std::abs(value) <= noise) {
@@ -107,11 +109,15 @@ template <class At> double risingZero(At at, double t) {
         (value < 0 ? low : high) = t;
         const double next = t - value / slope;
         if (slope > 0 && next > low && next < high) {
-            if (std::abs(next - t) < enough) {
+            // A step leaves its square times a factor, which the step before has shown.
+            const double length = std::abs(next - t);
+            if (length < enough || length * length * length < exact * before * before) {
                 return next;
             }
+            before = length;
             t = next;
         } else {
+            before = 0;
             t = 0.5 * (low + high);
             if (!(low < t && t < high)) {
                 return t;
