@@ -5,8 +5,6 @@ Nothing here sleeps for a guessed time. `Editor.settle` waits until the program 
 sleep, which it does whenever there is nothing to draw, and `eventually` waits for what should be.
 """
 
-import ctypes
-import ctypes.util
 import json
 import os
 import pathlib
@@ -18,6 +16,8 @@ import sys
 import tempfile
 import time
 import unittest
+
+import x11
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PATIENCE = 30  # seconds; far more than a busy machine needs
@@ -100,7 +100,7 @@ class Screen:
 
     @property
     def manager(self):
-        self._manager = self._manager or WindowManager(self.display)
+        self._manager = self._manager or x11.WindowManager(self.display)
         return self._manager
 
     def hands(self, *arguments):
@@ -110,76 +110,6 @@ class Screen:
         if done.stderr:
             raise AssertionError(f"xdotool {arguments}: {done.stderr}")
         return done.stdout.strip()
-
-
-class ClientMessage(ctypes.Structure):
-    """A message from one X client to another, as large as the union XEvent."""
-
-    TYPE = 33
-
-    _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
-                ("display", ctypes.c_void_p), ("window", ctypes.c_ulong),
-                ("message_type", ctypes.c_ulong), ("format", ctypes.c_int),
-                ("data", ctypes.c_long * 5), ("rest", ctypes.c_long * 24)]
-
-
-class WindowManager:
-    """What a window manager says to a window, which xdotool cannot."""
-
-    _SUBSTRUCTURE_NOTIFY = 1 << 19  # who selects it on the root window hears the answers
-
-    def __init__(self, display):
-        self._x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
-        pointer, number, whole = ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int
-        for name, result, *arguments in (
-                ("XOpenDisplay", pointer, ctypes.c_char_p),
-                ("XDefaultRootWindow", number, pointer),
-                ("XInternAtom", number, pointer, ctypes.c_char_p, whole),
-                ("XSelectInput", whole, pointer, number, ctypes.c_long),
-                ("XSendEvent", whole, pointer, number, whole, ctypes.c_long, pointer),
-                ("XFlush", whole, pointer), ("XPending", whole, pointer),
-                ("XNextEvent", whole, pointer, pointer), ("XCloseDisplay", whole, pointer)):
-            function = getattr(self._x11, name)
-            function.restype, function.argtypes = result, arguments
-        # By itself Xlib ends the whole script where a window is gone.
-        self._forgive = ctypes.CFUNCTYPE(whole, pointer, pointer)(lambda display, fault: 0)
-        self._x11.XSetErrorHandler(self._forgive)
-        self._connection = self._x11.XOpenDisplay(display.encode())
-        self._root = self._x11.XDefaultRootWindow(self._connection)
-        self._x11.XSelectInput(self._connection, self._root, self._SUBSTRUCTURE_NOTIFY)
-        self._pings = 0
-
-    def close(self):
-        self._x11.XCloseDisplay(self._connection)
-
-    def _atom(self, name):
-        return self._x11.XInternAtom(self._connection, name, 0)
-
-    def _send(self, window, *data):
-        event = ClientMessage(type=ClientMessage.TYPE, window=window, format=32)
-        event.message_type = self._atom(b"WM_PROTOCOLS")
-        event.data[:len(data)] = data
-        self._x11.XSendEvent(self._connection, window, 0, 0, ctypes.byref(event))
-        self._x11.XFlush(self._connection)
-
-    def ask_to_close(self, window):
-        """Does what the cross in a title bar does."""
-        self._send(window, self._atom(b"WM_DELETE_WINDOW"))
-
-    def ping(self, window):
-        """Asks a window whether it is there; returns the question, for `heard`."""
-        self._pings += 1
-        self._send(window, self._atom(b"_NET_WM_PING"), self._pings, window)
-        return self._pings
-
-    def heard(self, question):
-        """Whether the answer is among the news since the last call."""
-        event = ClientMessage()
-        found = False
-        while self._x11.XPending(self._connection):
-            self._x11.XNextEvent(self._connection, ctypes.byref(event))
-            found |= event.type == ClientMessage.TYPE and event.data[1] == question
-        return found
 
 
 class Editor:
@@ -196,7 +126,8 @@ class Editor:
     def _find_window(self):
         if self.process.poll() is not None:
             raise AssertionError("the program ended: " + self.complaints)
-        found = self.screen.hands("search", "--onlyvisible", "--name", "Splineloft")
+        found = self.screen.hands("search", "--onlyvisible", "--all", "--pid", self.process.pid,
+                                  "--name", "Splineloft")
         return int(found.split()[0]) if found else None
 
     def close(self):
@@ -290,8 +221,13 @@ class Editor:
     def press(self):
         self.act("mousedown", 1)
 
-    def release(self):
-        self.act("mouseup", 1)
+    def release(self, button=1):
+        self.act("mouseup", button)
+
+    def turn_wheel(self, place, steps):
+        """Up, or down where `steps` is negative."""
+        self.point(place)
+        self.act(*["click", 4 if steps > 0 else 5] * abs(steps))
 
     def keys(self, *names):
         for name in names:
@@ -307,15 +243,27 @@ class Editor:
         if holding:
             self.act("keyup", holding)
 
-    def grab(self, start, end, holding=None, steps=3):
+    def grab(self, start, end, holding=None, steps=3, button=1):
         """A drag without its end."""
         self.point(start)
         if holding:
             self.act("keydown", holding)
-        self.press()
+        self.act("mousedown", button)
         for step in range(1, steps + 1):
             part = step / steps
             self.act(*self._move([a + (b - a) * part for a, b in zip(start, end)]))
+
+    def drop(self, paths, place):
+        """Carries files from another program to a place in the window and lets go."""
+        position = self.screen.hands("getwindowgeometry", "--shell", self.window).splitlines()
+        facts = dict(line.split("=") for line in position)
+        x, y = self._at(place)
+        other = x11.FileDrag(self.screen.display, paths)
+        try:
+            other.drop_on(self.window, int(facts["X"]) + x, int(facts["Y"]) + y, PATIENCE)
+        finally:
+            other.close()
+        self.settle()
 
     def burst(self, start, end):
         """A whole drag that reaches the program at once: it is stopped until all has happened."""

@@ -182,6 +182,110 @@ class Editing(WithDocument):
         self.assertEqual(self.curve(editor)["points"], [[3.125, -0.5]] + POINTS[1:])
 
 
+class Viewing(WithDocument):
+    """What the wheel and the middle button do shows in how far a drag then moves a point."""
+
+    def test_the_wheel_zooms_at_the_pointer(self):
+        editor = self.open()
+        editor.turn_wheel(at(POINTS[3]), 3)
+        editor.drag(at(POINTS[3]), beside(POINTS[3], 60, 0), holding="shift")
+        nearer = self.curve(editor)["points"][3]
+        self.assertEqual(nearer[1], POINTS[3][1])
+        self.assertGreater(nearer[0], POINTS[3][0])
+        self.assertLess(nearer[0] - POINTS[3][0], 0.8 * 60 / PIXELS_PER_UNIT)
+
+        editor.keys("ctrl+z")
+        editor.turn_wheel(at(POINTS[3]), -3)
+        editor.drag(at(POINTS[3]), beside(POINTS[3], 60, 0), holding="shift")
+        found = self.curve(editor)["points"][3]
+        for number, expected in zip(found, moved(POINTS[3], 60, 0)):
+            self.assertAlmostEqual(number, expected, delta=1 / PIXELS_PER_UNIT)
+
+    def test_the_middle_button_takes_the_view_along(self):
+        editor = self.open()
+        editor.grab(at(MIDDLE), beside(MIDDLE, 70, 35), button=2)
+        editor.release(button=2)
+        self.assertFalse(editor.unsaved, editor.title)
+        editor.drag(beside(POINTS[1], 70, 35), beside(POINTS[1], 100, 60))
+        expected = list(POINTS)
+        expected[1] = moved(POINTS[1], 30, 25)
+        self.assertEqual(self.curve(editor)["points"], expected)
+
+
+class SystemClipboard(WithDocument):
+    def clipboard(self, screen):
+        return subprocess.run(["xclip", "-selection", "clipboard", "-o"], text=True, check=True,
+                              env=screen.environment, capture_output=True,
+                              timeout=desk.PATIENCE).stdout
+
+    def put(self, screen, text):
+        # Its second process keeps the text, and must not keep the pipes of this one.
+        subprocess.run(["xclip", "-selection", "clipboard", "-i"], input=text, text=True,
+                       check=True, env=screen.environment, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL, timeout=desk.PATIENCE)
+
+    def test_curves_go_from_one_window_to_another(self):
+        screen = self.screen()
+        first = self.open(screen=screen)
+        first.keys("ctrl+a", "ctrl+c")
+        self.assertEqual(json.loads(self.clipboard(screen))["curves"][0]["points"], POINTS)
+
+        other = self.folder / "other.json"
+        other.write_text(json.dumps({"format": "splineloft", "version": 1, "curves": []}))
+        second = self.editor(other, screen=screen)
+        second.point(Layout.canvas_middle)
+        second.keys("ctrl+v")
+        document = second.saved(other)
+        self.assertEqual([curve["points"] for curve in document["curves"]], [POINTS])
+
+    def test_path_data_of_svg_becomes_a_curve(self):
+        screen = self.screen()
+        editor = self.open(screen=screen)
+        self.put(screen, "M 0,0 C 1,2 3,2 4,0")
+        editor.keys("ctrl+v")
+        document = editor.saved(self.path)
+        self.assertEqual(len(document["curves"]), 2)
+        self.assertEqual(document["curves"][1]["family"], "bezier-spline")
+        self.assertEqual(len(document["curves"][1]["points"]), 4)
+
+
+class Dropping(WithDocument):
+    def setUp(self):
+        super().setUp()
+        self.other = self.folder / "another one, with ümlaut.json"
+        self.other.write_text(json.dumps({
+            "format": "splineloft", "version": 1,
+            "curves": [{"name": "other", "family": "linear", "coordinates": ["x", "y"],
+                        "points": [[0, 0], [1, 1]]}]}))
+
+    def test_a_dropped_file_is_opened(self):
+        editor = self.open()
+        editor.drop([self.other], Layout.canvas_middle)
+        eventually(lambda: self.other.name in editor.title, "the title shows the dropped file")
+
+    def test_two_files_come_together(self):
+        editor = self.open()
+        editor.drop([self.other, self.path], Layout.canvas_middle)
+        target = self.folder / "both.json"
+        editor.keys("ctrl+shift+s", "ctrl+a")
+        editor.type(str(target))
+        editor.keys("Return")
+        eventually(target.exists, "both are saved as one")
+        document = json.loads(target.read_text())
+        self.assertEqual([curve["name"] for curve in document["curves"]], ["other", "path"])
+
+    def test_changes_are_asked_about_first(self):
+        editor = self.open()
+        editor.drag(at(POINTS[1]), beside(POINTS[1], 67, 43))
+        editor.drop([self.other], Layout.canvas_middle)
+        editor.click(Layout.question["Cancel"])
+        self.assertTrue(editor.unsaved, editor.title)
+        editor.drop([self.other], Layout.canvas_middle)
+        editor.click(Layout.question["Don't save"])
+        eventually(lambda: self.other.name in editor.title, "the title shows the dropped file")
+        self.assertEqual(json.loads(self.path.read_text())["curves"][0]["points"], POINTS)
+
+
 class HighResolution(WithDocument):
     def test_twice_the_dots_make_everything_twice_as_large(self):
         screen = self.screen((2560, 1600), dpi=192)
@@ -498,4 +602,4 @@ class Idle(WithDocument):
 
 
 if __name__ == "__main__":
-    desk.main(["Xvfb", "xdotool", "xrdb"])
+    desk.main(["Xvfb", "xdotool", "xrdb", "xclip"])
