@@ -95,6 +95,9 @@ void Session::giveUpGesture() {
 }
 
 void Session::undo() {
+    if (history.previewing()) { // what a hand has only begun is taken back first
+        return giveUpGesture();
+    }
     gesture = Idle{};
     if (history.canUndo()) {
         say("Undone: " + std::string(history.undoLabel()));

@@ -26,6 +26,39 @@ std::string fitting(double value, float width) {
     return withTrueMinus(digits);
 }
 
+constexpr double knobRadius = 7.5; // design pixels
+
+/// What a slider remembers of the press that holds it.
+class Hold {
+  public:
+    /// Begins with a press at x: on the knob, which then keeps its place below the pointer and
+    /// stays until the pointer moves; or beside it, and it comes there.
+    void begin(float x, float knob, float reach) {
+        const bool onKnob = std::abs(x - knob) <= reach;
+        memory_.SetFloat(offset_, onKnob ? x - knob : 0);
+        memory_.SetFloat(start_, x);
+        memory_.SetBool(resting_, onKnob);
+        memory_.SetBool(over_, false);
+    }
+    /// The slider has been decided on, before the button is released.
+    void end() { memory_.SetBool(over_, true); }
+    /// Where the knob is to be, for a pointer at x; nowhere if it is to stay as it is.
+    std::optional<float> knobAt(float x) {
+        if (x != memory_.GetFloat(start_)) {
+            memory_.SetBool(resting_, false);
+        }
+        const bool moves = !memory_.GetBool(over_) && !memory_.GetBool(resting_);
+        return moves ? std::optional(x - memory_.GetFloat(offset_)) : std::nullopt;
+    }
+
+  private:
+    ImGuiStorage& memory_ = *ImGui::GetStateStorage();
+    ImGuiID offset_ = ImGui::GetID("offset");
+    ImGuiID start_ = ImGui::GetID("start");
+    ImGuiID resting_ = ImGui::GetID("resting");
+    ImGuiID over_ = ImGui::GetID("over");
+};
+
 void drawTrack(const Parameter& parameter, double value, ImVec2 from, ImVec2 size,
                const Stage& stage, bool lively) {
     auto& list = *ImGui::GetWindowDrawList();
@@ -41,7 +74,37 @@ void drawTrack(const Parameter& parameter, double value, ImVec2 from, ImVec2 siz
                        {x(std::max(knob, neutral)), y + half}, packed(s.accent), half);
     list.AddRectFilled({x(neutral) - stage.px(1), y - stage.px(7)},
                        {x(neutral) + stage.px(1), y + stage.px(7)}, packed(s.quiet));
-    list.AddCircleFilled({x(knob), y}, stage.px(lively ? 8.5 : 7.5), packed(s.text), 24);
+    list.AddCircleFilled({x(knob), y}, stage.px(lively ? knobRadius + 1 : knobRadius),
+                         packed(s.text), 24);
+}
+
+/// The track of a slider and what a hand does to it.
+std::optional<Turned> slide(const Parameter& parameter, double value, ImVec2 from, ImVec2 size,
+                            const Stage& stage) {
+    ImGui::InvisibleButton("track", size);
+    const float pointer = ImGui::GetIO().MousePos.x;
+    Hold hold;
+    if (ImGui::IsItemActivated()) {
+        const auto position = std::clamp(trackPosition(parameter, value), 0.0, 1.0);
+        hold.begin(pointer, from.x + static_cast<float>(position) * size.x, stage.px(knobRadius));
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
+        hold.end();
+        return Turned{parameter.neutral, Phase::commit};
+    }
+    if (ImGui::IsItemActive() && ImGui::IsKeyPressed(escapeKey())) {
+        hold.end();
+        return Turned{value, Phase::cancel};
+    }
+    if (!ImGui::IsItemActive() && !ImGui::IsItemDeactivated()) {
+        return std::nullopt;
+    }
+    const auto knob = hold.knobAt(pointer);
+    if (!knob) {
+        return std::nullopt;
+    }
+    return Turned{valueOnTrack(parameter, (*knob - from.x) / size.x),
+                  ImGui::IsItemActive() ? Phase::preview : Phase::commit};
 }
 
 } // namespace
@@ -115,25 +178,8 @@ std::optional<Turned> parameterSlider(const Parameter& parameter, double value,
 
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const ImVec2 size{width, stage.px(20)};
-    ImGui::InvisibleButton("track", size);
-    const auto under = [&] {
-        return valueOnTrack(parameter, (ImGui::GetIO().MousePos.x - from.x) / size.x);
-    };
-    auto& memory = *ImGui::GetStateStorage();
-    const ImGuiID over = ImGui::GetID("over"); // the drag has ended before the button was released
-    if (ImGui::IsItemActivated()) {
-        memory.SetBool(over, false);
-    }
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
-        memory.SetBool(over, true);
-        turned = Turned{parameter.neutral, Phase::commit};
-    } else if (ImGui::IsItemActive() && ImGui::IsKeyPressed(escapeKey())) {
-        memory.SetBool(over, true);
-        turned = Turned{value, Phase::cancel};
-    } else if (ImGui::IsItemActive() && !memory.GetBool(over)) {
-        turned = Turned{under(), Phase::preview};
-    } else if (ImGui::IsItemDeactivated() && !memory.GetBool(over)) {
-        turned = Turned{under(), Phase::commit};
+    if (auto slid = slide(parameter, value, from, size, stage)) {
+        turned = slid;
     }
     drawTrack(parameter, turned ? turned->value : value, from, size, stage,
               ImGui::IsItemHovered() || ImGui::IsItemActive());

@@ -102,10 +102,10 @@ TEST(DragGesture, givingUpRestoresToTheLastBit) {
     }
 }
 
-TEST(DragGesture, undoInMidDragGivesTheDragUpAndUndoesTheStepBefore) {
+TEST(DragGesture, undoInMidDragTakesTheDragBackAndNoStepBefore) {
     Hand hand = handOn("cardinal");
-    const Document before = hand.session.document();
     hand.drag(hand.place(1), {-1, 1});
+    const Document before = hand.session.document();
     hand.press(hand.place(3));
     hand.move({2, -2});
     hand.key(Key::z, withControl);
@@ -113,6 +113,18 @@ TEST(DragGesture, undoInMidDragGivesTheDragUpAndUndoesTheStepBefore) {
     hand.move({0, 0});
     hand.release({0, 0});
     EXPECT_EQ(hand.session.document(), before) << "the drag is over";
+    EXPECT_EQ(hand.steps(), 1);
+}
+
+TEST(DragGesture, shiftOnASelectedPointKeepsItsAxisToo) {
+    Hand hand = handOn("cardinal");
+    hand.click(hand.place(3));
+    const Point start = hand.curve().points.at(3);
+    hand.press(hand.place(3), withShift);
+    hand.move({3.5, 1.5}, withShift);
+    hand.release({3.5, 1.5}, withShift);
+    EXPECT_EQ(hand.curve().points.at(3), (Point{3.5, start[1]}));
+    EXPECT_EQ(hand.session.view.selection, (Selection{{0, 3}})) << "moved, it stays selected";
 }
 
 TEST(DragGesture, shiftKeepsTheLongerAxis) {

@@ -64,6 +64,29 @@ TEST(Panels, escapeInMidSlideRestores) {
     EXPECT_EQ(driver.session.view.selection.size(), 1U) << "Escape meant the slider alone";
 }
 
+TEST(Panels, theKnobOfASliderStaysBelowThePointerThatHoldsIt) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    const auto track = *driver.find(slider("tension"));
+    driver.drag(along(track, 0.1), along(track, 0.7));
+    const double before = parameter(driver, "tension");
+    const auto beside = [&track](double part) {
+        return ScreenPoint{along(track, part).x + 5, along(track, part).y};
+    };
+    driver.click(beside(0.7));
+    EXPECT_EQ(parameter(driver, "tension"), before) << "a click on it moves nothing";
+    EXPECT_EQ(driver.steps(), 1);
+    driver.doubleClick(beside(0.7));
+    EXPECT_EQ(parameter(driver, "tension"), 0.5);
+    EXPECT_EQ(driver.steps(), 2) << "a double click on it is one step";
+    driver.key(Key::z, withControl);
+    EXPECT_EQ(parameter(driver, "tension"), before);
+
+    driver.drag(beside(0.7), beside(0.3));
+    const double held = parameter(driver, "tension");
+    driver.drag(along(track, 0.9), along(track, 0.3));
+    EXPECT_NEAR(held, parameter(driver, "tension"), 0.002) << "of 2, on some 280 pixels";
+}
+
 TEST(Panels, aDoubleClickOnASliderReturnsToTheNeutralValue) {
     Driver driver(documentOf({curveOf("cardinal")}));
     const auto track = *driver.find(slider("tension"));

@@ -42,7 +42,8 @@ struct DraggingPoints {
     PointId grabbed;
     ScreenPoint from;
     bool moved = false;
-    bool selectOnlyThis = false; ///< on release, if it has not moved
+    /// What letting go does to the selection, if it has not moved.
+    enum class Click { selects, selectsOnly, deselects } click = Click::selects;
     Held held = {};
 };
 

@@ -51,18 +51,17 @@ Reaction pressPoint(const View& view, const PointerEvent& event, const PointId& 
         reaction.view.exactEntry = id;
         return reaction;
     }
+    using Click = DraggingPoints::Click;
     const bool wasSelected = selection.contains(id);
     activate(reaction.view, id.curve);
-    if (event.modifiers.shift && wasSelected) {
-        selection.erase(id);
-        return reaction;
-    }
     if (!event.modifiers.shift && !wasSelected) {
         selection.clear();
     }
     selection.insert(id);
-    reaction.gesture =
-        DraggingPoints{selection.ids(), id, event.at, false, wasSelected && !event.modifiers.shift};
+    const auto click = !wasSelected            ? Click::selects
+                       : event.modifiers.shift ? Click::deselects
+                                               : Click::selectsOnly;
+    reaction.gesture = DraggingPoints{selection.ids(), id, event.at, false, click};
     return reaction;
 }
 

@@ -43,8 +43,10 @@ Reaction step(const DraggingPoints& drag, const View& view, const PointerEvent& 
             const auto move = moveOf(drag, view, event, s);
             reaction.edit = Edit{dragged(drag, move, view, s), Phase::commit,
                                  "Move " + nameOf(s.settled, drag.ids)};
-        } else if (drag.selectOnlyThis) {
+        } else if (drag.click == DraggingPoints::Click::selectsOnly) {
             reaction.view.selection = {drag.grabbed};
+        } else if (drag.click == DraggingPoints::Click::deselects) {
+            reaction.view.selection.erase(drag.grabbed);
         }
         return reaction;
     }
