@@ -25,8 +25,8 @@ class ContextMenuTest : public testing::Test {
         driver.press(at, Button::right);
         driver.release(Button::right);
     }
-    ScreenPoint onCurve() const {
-        const Point p = driver.session.active()->pieces().position({2, 0.4});
+    ScreenPoint onCurve(std::size_t segment = 2) const {
+        const Point p = driver.session.active()->pieces().position({segment, 0.4});
         return driver.at({p[0], p[1]});
     }
 
@@ -50,6 +50,26 @@ TEST_F(ContextMenuTest, overASelectedPointKeepsTheSelection) {
     EXPECT_EQ(driver.session.view.selection.size(), 2U);
     driver.click(entry("Delete points"));
     EXPECT_EQ(driver.curve().points.size(), 5U);
+}
+
+TEST_F(ContextMenuTest, healsWhereAPointIsTakenAway) {
+    driver.session.opened(documentOf({curveOf("bezier-spline")}), "");
+    driver.settle();
+    driver.doubleClick(onCurve(1));
+    const auto count = driver.curve().points.size();
+    rightClick(driver.atPoint(driver.session.view.selection.begin()->index));
+    driver.click(entry("Delete and heal"));
+    EXPECT_EQ(driver.curve().points.size(), count - 3);
+    EXPECT_TRUE(driver.session.history.undoLabel().starts_with("Delete and heal"));
+}
+
+TEST_F(ContextMenuTest, setsTheKindOfHandles) {
+    driver.session.opened(documentOf({curveOf("bezier-spline")}), "");
+    driver.settle();
+    rightClick(driver.atPoint(3));
+    driver.click(entry("Handles: mirrored"));
+    const auto& points = driver.curve().points;
+    EXPECT_LE(distance(points.at(4) - points.at(3), points.at(3) - points.at(2)), 1e-12);
 }
 
 TEST_F(ContextMenuTest, overACurveInsertsWhereItWasClicked) {

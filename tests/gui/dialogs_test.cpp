@@ -180,6 +180,21 @@ TEST(Files, savingUnderAKnownNameAsksNothing) {
     EXPECT_FALSE(driver.session.dialog);
 }
 
+TEST(Files, savingWhatHasNoNameAsksForOne) {
+    Folder folder;
+    Driver driver(plain());
+    driver.key(Key::s, withControl);
+    driver.frames(3);
+    const auto* browser = std::get_if<FileBrowser>(&*driver.session.dialog);
+    ASSERT_TRUE(browser);
+    EXPECT_EQ(browser->purpose, FilePurpose::save);
+    driver.key(Key::a, withControl);
+    driver.type(folder / "first.json");
+    driver.key(Key::enter);
+    ASSERT_TRUE(lastRequest<SaveFile>(driver));
+    EXPECT_EQ(lastRequest<SaveFile>(driver)->path, folder / "first.json");
+}
+
 TEST(Files, theBrowserSavesUnderTheTypedName) {
     Folder folder;
     Driver driver(plain());

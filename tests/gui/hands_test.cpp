@@ -4,11 +4,13 @@
 #include "hand.h"
 
 #include "core/document/handle_modes.h"
+#include "ui/canvas/illustrate.h"
 #include "ui/canvas/viewport.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <set>
 
 namespace splineloft::ui {
@@ -165,6 +167,46 @@ TEST(Hands, doubleClickOnAPointTypesItsNumbers) {
     driver.settle();
     EXPECT_EQ(driver.curve().points.at(2), (Point{3.1, -1}));
     EXPECT_FALSE(driver.session.view.exactEntry);
+}
+
+TEST(Hands, theNumbersOfAPointAreAllThatItHas) {
+    Driver driver(documentOf({curveOf("nurbs", 3)}));
+    driver.settle();
+    driver.doubleClick(driver.atPoint(2));
+    driver.settle();
+    ASSERT_EQ(driver.session.view.exactEntry, (PointId{0, 2}));
+    for (const char* number : {"1/8", "2*4", "-5+0.25"}) {
+        driver.type(number);
+        driver.key(Key::tab);
+    }
+    driver.type("3*2");
+    driver.key(Key::enter);
+    EXPECT_EQ(driver.curve().points.at(2), (Point{0.125, 8, -4.75}));
+    ASSERT_EQ(driver.curve().weights.size(), driver.curve().points.size());
+    EXPECT_EQ(driver.curve().weights[2], 6);
+    EXPECT_EQ(driver.steps(), 4) << "each number is a step";
+}
+
+TEST(Hands, wherePointsCanBeInsertedAGhostIsDrawn) {
+    const auto ghosts = [](const Driver& driver) {
+        const Situation situation{driver.session.history.settled(),
+                                  driver.session.history.live(),
+                                  driver.session.studies,
+                                  {driver.session.view.camera, driver.session.canvas},
+                                  1};
+        const Scene scene = illustrate(driver.session.view, driver.session.gesture, situation);
+        return std::ranges::count_if(
+            scene.marks, [](const SceneMark& mark) { return mark.ink.role == Role::ghost; });
+    };
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.settle();
+    const Point on = driver.session.active()->pieces().position({2, 0.4});
+    driver.move(driver.at({on[0], on[1]}));
+    EXPECT_EQ(ghosts(driver), 1);
+    driver.move(driver.atPoint(3));
+    EXPECT_EQ(ghosts(driver), 0) << "on a point a double click inserts nothing";
+    driver.move(driver.at({-0.5, -1.75}));
+    EXPECT_EQ(ghosts(driver), 0);
 }
 
 TEST(Clipboard, copiesCutsAndPastesPoints) {

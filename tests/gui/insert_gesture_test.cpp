@@ -39,11 +39,13 @@ TEST(InsertGesture, onABezierSplineTheShapeStays) {
 }
 
 TEST(InsertGesture, onBSplinesTheShapeStays) {
-    for (const char* family : {"b-spline", "nurbs"}) {
+    for (const auto& [family, control] :
+         {std::pair{"b-spline", false}, {"b-spline", true}, {"nurbs", false}, {"nurbs", true}}) {
         Hand hand(documentOf({curveOf(family)}));
         const Pieces before = hand.session.studies[0].pieces();
         const auto count = hand.curve().points.size();
-        hand.doubleClick(hand.placeAt({before.size() / 2, 0.4}));
+        const PlanePoint at = hand.placeAt({before.size() / 2, 0.4});
+        control ? hand.click(at, withControl) : hand.doubleClick(at);
         const Pieces after = hand.session.studies[0].pieces();
         ASSERT_EQ(after.size(), before.size() + 1) << family;
         EXPECT_LE(deviation(before, after), 1e-12) << family;

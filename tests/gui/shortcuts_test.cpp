@@ -107,7 +107,24 @@ TEST(Commands, everyShortcutDoesWhatItsCommandSays) {
             EXPECT_EQ(byKey.session.document(), byName.session.document()) << command.id;
             EXPECT_EQ(byKey.session.view.layers, byName.session.view.layers) << command.id;
             EXPECT_EQ(byKey.session.view.camera, byName.session.view.camera) << command.id;
-            EXPECT_EQ(byKey.session.dialog.has_value(), byName.session.dialog.has_value());
+            EXPECT_EQ(byKey.session.view.selection, byName.session.view.selection) << command.id;
+            EXPECT_EQ(byKey.session.view.tool, byName.session.view.tool) << command.id;
+            EXPECT_EQ(byKey.session.view.theme, byName.session.view.theme) << command.id;
+            EXPECT_EQ(byKey.session.view.playing, byName.session.view.playing) << command.id;
+            EXPECT_EQ(byKey.session.view.cursor, byName.session.view.cursor) << command.id;
+            EXPECT_EQ(byKey.session.view.interfaceScale, byName.session.view.interfaceScale)
+                << command.id;
+            EXPECT_EQ(byKey.session.view.presenting, byName.session.view.presenting) << command.id;
+            EXPECT_EQ(byKey.session.view.log, byName.session.view.log) << command.id;
+            EXPECT_EQ(byKey.session.view.activeCurve, byName.session.view.activeCurve)
+                << command.id;
+            EXPECT_EQ(byKey.session.history.undoLabel(), byName.session.history.undoLabel());
+            EXPECT_EQ(byKey.session.requests.size(), byName.session.requests.size()) << command.id;
+            ASSERT_EQ(byKey.session.dialog.has_value(), byName.session.dialog.has_value());
+            if (byKey.session.dialog) {
+                EXPECT_EQ(byKey.session.dialog->index(), byName.session.dialog->index())
+                    << command.id;
+            }
         }
     }
 }

@@ -141,16 +141,33 @@ TEST(TransformGesture, tangentsAndHandlesGoAlong) {
     }
 }
 
-TEST(TransformGesture, escapeRestoresAndAClickDoesNothing) {
+/// The two ways to give up what the hand is doing.
+void giveUp(Hand& hand, bool byKey, PlanePoint at) {
+    if (byKey) {
+        hand.key(Key::escape);
+    } else {
+        hand.pressOther(Button::right, at);
+        hand.releaseOther(Button::right, at);
+    }
+}
+
+TEST(TransformGesture, escapeAndTheRightButtonRestoreAndAClickDoesNothing) {
     Hand hand = handOnThree();
     const Document before = hand.session.document();
-    const PlanePoint grip = gripOf(hand, {1, 1});
-    hand.press(grip);
-    hand.move({grip.x + 1, grip.y + 1});
-    EXPECT_NE(hand.session.document(), before) << "it shows while it is pulled";
-    hand.key(Key::escape);
-    EXPECT_EQ(hand.session.document(), before);
-    hand.release({grip.x + 1, grip.y + 1});
+    for (const bool byKey : {true, false}) {
+        for (const Grip& which : {Grip{1, 1}, Grip{-1, 0}, Grip{}}) {
+            const PlanePoint grip = gripOf(hand, which);
+            const PlanePoint far{grip.x + 1, grip.y + 1};
+            hand.press(grip);
+            hand.move(far);
+            EXPECT_NE(hand.session.document(), before) << "it shows while it is pulled";
+            giveUp(hand, byKey, far);
+            EXPECT_EQ(hand.session.document(), before);
+            hand.move(grip);
+            hand.release(grip);
+            EXPECT_EQ(hand.session.document(), before) << "the pull is over";
+        }
+    }
     hand.click(gripOf(hand, {1, 1}));
     EXPECT_EQ(hand.session.document(), before);
     EXPECT_EQ(hand.steps(), 0);
@@ -188,6 +205,25 @@ TEST(StemGesture, slidesAWeightAtItsPoint) {
     EXPECT_EQ(hand.session.history.undoLabel(), "Set weight of P₃");
     hand.doubleClick(hand.viewport().toPlane(stems().front().knob));
     EXPECT_TRUE(hand.curve().weights.empty()) << "all are 1 again";
+}
+
+TEST(StemGesture, escapeAndTheRightButtonRestore) {
+    Hand hand(documentOf({curveOf("nurbs")}));
+    hand.session.view.selection = {{0, 3}};
+    const Document before = hand.session.document();
+    for (const bool byKey : {true, false}) {
+        const auto stems = stemsOf(hand.session.document(), hand.session.view, hand.viewport(), 1);
+        ASSERT_EQ(stems.size(), 1U);
+        const PlanePoint end = hand.viewport().toPlane(stems.front().to);
+        hand.press(hand.viewport().toPlane(stems.front().knob));
+        hand.move(end);
+        EXPECT_NE(hand.session.document(), before);
+        giveUp(hand, byKey, end);
+        EXPECT_EQ(hand.session.document(), before);
+        hand.release(end);
+        EXPECT_EQ(hand.session.document(), before) << "the slide is over";
+    }
+    EXPECT_EQ(hand.steps(), 0);
 }
 
 TEST(StemGesture, thereIsOneForEachLocalParameter) {

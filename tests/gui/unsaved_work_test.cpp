@@ -178,6 +178,15 @@ TEST(RecentFiles, haveAMenuThatLooksForThemWhenItOpens) {
     EXPECT_TRUE(lastRequest<OpenFiles>(driver));
 }
 
+TEST(RecentFiles, canBeForgotten) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.session.recent = {{"/there/path.json", true}};
+    driver.takeFromMenu(0, 2);
+    driver.frames(3);
+    driver.click(Widget{"##Menu_01", {"Clear the list"}});
+    EXPECT_TRUE(lastRequest<ForgetRecent>(driver));
+}
+
 TEST(SystemDialog, takesThePlaceOfTheBrowserExceptForSamples) {
     Driver driver(documentOf({curveOf("cardinal")}));
     driver.session.systemDialogsFound = true;
