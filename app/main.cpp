@@ -1,11 +1,13 @@
 // Splineloft: reads the command line, then opens the editor or does the one thing that was asked.
 #include "app/command_line/command_line.h"
 #include "app/command_line/commands.h"
+#include "app/end_signal.h"
 #include "app/files.h"
 #include "app/image.h"
 #include "app/loop.h"
 #include "app/offscreen.h"
 #include "app/storage/keeper.h"
+#include "app/window.h"
 #include "app/window_error.h"
 
 #include <algorithm>
@@ -27,7 +29,8 @@ int openEditor(const OpenEditor& asked) {
     if (!session) {
         return complain(session.refusal().message());
     }
-    Keeper keeper(placesFromEnvironment());
+    const EndSignal ending(wakeWindow);
+    Keeper keeper(placesFromEnvironment(), {}, &ending);
     keeper.begin(*session, asked.files);
     runEditor(*session, keeper);
     return 0;

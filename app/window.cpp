@@ -330,4 +330,8 @@ void Window::waitEvents(double seconds) {
     glfwWaitEventsTimeout(seconds);
 }
 
+void wakeWindow() {
+    glfwPostEmptyEvent();
+}
+
 } // namespace splineloft::app

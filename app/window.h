@@ -86,4 +86,7 @@ class Window {
     ui::PointerShape pointer_ = ui::PointerShape::arrow;
 };
 
+/// Ends the sleep of the window, if there is one. From any thread.
+void wakeWindow();
+
 } // namespace splineloft::app

@@ -47,6 +47,16 @@ void Autosave::adopt(std::shared_ptr<RecoverySlot> slot, const ui::Session& sess
     seen_ = session.history.settled();
 }
 
+void Autosave::keepNow(const ui::Session& session) {
+    writer_.wait();
+    look(session, Clock::now());
+    if (since_) { // not due yet, or refused before
+        writer_.wait();
+        write(session);
+    }
+    writer_.wait();
+}
+
 void Autosave::end() {
     writer_.wait();
     forget();

@@ -38,6 +38,9 @@ class Autosave {
     /// What went wrong with the disk, once.
     std::optional<std::string> takeComplaint() { return std::exchange(complaint_, std::nullopt); }
 
+    /// The program has to end: keeps what is in no file yet, and returns when that is done.
+    void keepNow(const ui::Session& session);
+
     /// The session has come to its end as the person wished: forgets what is kept.
     void end();
 

@@ -35,8 +35,8 @@ Document documentIn(const std::string& path) {
 
 } // namespace
 
-Keeper::Keeper(Places places, AutosavePace pace)
-    : places_(std::move(places)), settings_(in(places_.config, settingsName)),
+Keeper::Keeper(Places places, AutosavePace pace, const EndSignal* ending)
+    : places_(std::move(places)), ending_(ending), settings_(in(places_.config, settingsName)),
       autosave_(in(places_.state, recoveryName), pace) {}
 
 void Keeper::begin(ui::Session& session, const std::vector<std::string>& opened) {
@@ -113,6 +113,11 @@ bool Keeper::afterFrame(ui::Session& session, const ui::Screen& screen) {
     if (!carryOutRequests(session)) {
         return false;
     }
+    if (mustEnd()) {
+        autosave_.keepNow(session);
+        finish(session);
+        return false;
+    }
     news_ = false; // this frame has shown what there was before
     news_ = attend(session) || asked;
     return true;
@@ -122,7 +127,7 @@ bool Keeper::attend(ui::Session& session) {
     const auto now = Clock::now();
     autosave_.look(session, now);
     settings_.look(session, now);
-    bool news = std::exchange(news_, false);
+    bool news = std::exchange(news_, false) || mustEnd();
     news |= attendRecent(session);
     news |= attendDialog(session);
     for (const auto& complaint : {autosave_.takeComplaint(), settings_.takeComplaint()}) {
@@ -174,6 +179,11 @@ void Keeper::carryOut(ui::Session& session, const ui::ExportSamples& request) {
 void Keeper::carryOut(ui::Session& session, const ui::Quit&) {
     ended_ = true;
     autosave_.end();
+    finish(session);
+}
+
+/// All that is to be on the disk at the end.
+void Keeper::finish(ui::Session& session) {
     settings_.finish(session);
     while (!toNote_.empty()) {
         recentWriter_.wait();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/attendant.h"
+#include "app/end_signal.h"
 #include "app/storage/autosave.h"
 #include "app/storage/places.h"
 #include "app/storage/settings_file.h"
@@ -17,7 +18,9 @@ namespace splineloft::app {
 
 class Keeper : public Attendant {
   public:
-    explicit Keeper(Places places, AutosavePace pace = {});
+    /// When `ending` has come, what is unsaved is kept, for the next start to offer, and the
+    /// program ends.
+    explicit Keeper(Places places, AutosavePace pace = {}, const EndSignal* ending = nullptr);
 
     /// At the start: gives the session its settings, shortcuts and recent files, and offers it the
     /// unsaved work of editors that died. `opened` are the files that it begins with.
@@ -28,6 +31,8 @@ class Keeper : public Attendant {
     double patience() const override;
 
   private:
+    bool mustEnd() const { return ending_ != nullptr && ending_->hasCome(); }
+    void finish(ui::Session& session);
     void readShortcuts(ui::Session& session) const;
     void offerUnsavedWork(ui::Session& session);
 
@@ -51,6 +56,7 @@ class Keeper : public Attendant {
     std::optional<FoundWork> take(ui::Session& session, const std::string& id);
 
     Places places_;
+    const EndSignal* ending_;
     SettingsFile settings_;
     Autosave autosave_;
     SystemDialog dialog_;

@@ -403,6 +403,22 @@ class Recovery(WithDocument):
         self.assertEqual(self.curve(editor)["points"], points)
         eventually(lambda: not self.recovery(), "what is saved is kept no longer")
 
+    def test_at_a_logout_nothing_is_lost(self):
+        screen = self.screen()
+        editor = self.open(screen=screen)
+        editor.drag(at(POINTS[1]), beside(POINTS[1], 67, 43))
+        editor.process.terminate()
+        self.assertEqual(editor.ended(), 0)
+        self.assertEqual(editor.complaints, "")
+        self.assertEqual(json.loads(self.path.read_text())["curves"][0]["points"], POINTS)
+
+        again = self.editor(screen=screen)
+        again.click(Layout.restore)
+        self.assertTrue(again.unsaved, again.title)
+        expected = list(POINTS)
+        expected[1] = moved(POINTS[1], 67, 43)
+        self.assertEqual(self.curve(again)["points"], expected)
+
     def test_an_editor_that_still_runs_is_left_alone(self):
         screen = self.screen()
         first = self.editor(self.path, screen=screen)
