@@ -30,6 +30,7 @@
 #include "core/spline/fast/power_form.h"
 #include "core/spline/measure/bounds.h"
 #include "core/spline/measure/length.h"
+#include "core/spline/measure/motion.h"
 #include "core/spline/measure/nearest.h"
 #include "core/spline/measure/sample.h"
 #include "core/spline/points_view.h"

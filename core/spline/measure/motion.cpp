@@ -1,0 +1,97 @@
+#include "core/spline/measure/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace splineloft {
+namespace {
+
+std::optional<double> ifFinite(double value) {
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+double rangeOf(const KnotLine& knots) {
+    return knots.pieces() == 0 ? 0 : knots.end() - knots.start();
+}
+
+/// Which part of the whole lies before `at`; none of a whole that is nothing.
+double partOf(double at, double whole) {
+    return whole > 0 ? std::clamp(at / whole, 0.0, 1.0) : 0;
+}
+
+} // namespace
+
+Motion::Motion(const Pieces& pieces, const ArcLength* lengths, double duration)
+    : pieces_(&pieces), lengths_(lengths), duration_(duration) {
+    if (!std::isfinite(duration) || !(duration > 0)) {
+        throw std::invalid_argument("the duration of a motion must be finite and above zero");
+    }
+}
+
+Motion Motion::evenInParameter(const Pieces& pieces, double duration) {
+    return {pieces, nullptr, duration};
+}
+
+Motion Motion::evenInLength(const Pieces& pieces, const ArcLength& lengths, double duration) {
+    // Without any length there is nothing to be even in, and nothing that would tell.
+    return {pieces, lengths.total() > 0 ? &lengths : nullptr, duration};
+}
+
+double Motion::timeAt(Spot spot) const {
+    if (pieces_->empty()) {
+        return 0;
+    }
+    if (lengths_ != nullptr) {
+        return duration_ * partOf(lengths_->upTo(spot), lengths_->total());
+    }
+    const auto& knots = pieces_->knots();
+    return duration_ * partOf(knots.parameter(spot) - knots.start(), rangeOf(knots));
+}
+
+Spot Motion::spotAt(double time) const {
+    const double part = partOf(time, duration_);
+    if (lengths_ != nullptr) {
+        return lengths_->spotAt(part * lengths_->total());
+    }
+    const auto& knots = pieces_->knots();
+    return pieces_->empty() ? Spot{} : knots.locate(lerp(knots.start(), knots.end(), part));
+}
+
+std::vector<Spot> Motion::spotsAt(std::span<const double> times) const {
+    std::vector<Spot> spots;
+    if (lengths_ == nullptr) {
+        std::ranges::transform(times, std::back_inserter(spots),
+                               [this](double time) { return spotAt(time); });
+        return spots;
+    }
+    std::vector<double> lengths;
+    std::ranges::transform(times, std::back_inserter(lengths), [this](double time) {
+        return partOf(time, duration_) * lengths_->total();
+    });
+    return lengths_->spotsAt(lengths);
+}
+
+Moment Motion::at(Spot spot) const {
+    const Jet jet = pieces_->jet(spot);
+    Moment moment;
+    moment.curvature =
+        pieces_->dimension() == 1 && jet.curvature ? std::optional(0.0) : jet.curvature;
+    if (lengths_ != nullptr) {
+        const double speed = lengths_->total() / duration_;
+        moment.speed = ifFinite(speed);
+        if (moment.curvature) {
+            moment.acceleration = ifFinite(speed * (speed * std::abs(*moment.curvature)));
+        }
+        return moment;
+    }
+    const double interval = pieces_->knots().interval(spot.segment);
+    if (interval > 0) {
+        const double rate = rangeOf(pieces_->knots()) / interval / duration_; // du / dt
+        moment.speed = ifFinite(rate * norm(jet.first));
+        moment.acceleration = ifFinite(rate * (rate * norm(jet.second)));
+    }
+    return moment;
+}
+
+} // namespace splineloft
