@@ -29,6 +29,8 @@
 #include "core/spline/fast/natural_function.h"
 #include "core/spline/fast/power_form.h"
 #include "core/spline/measure/bounds.h"
+#include "core/spline/measure/direction.h"
+#include "core/spline/measure/frames.h"
 #include "core/spline/measure/length.h"
 #include "core/spline/measure/motion.h"
 #include "core/spline/measure/nearest.h"
