@@ -55,6 +55,11 @@ std::optional<std::string> showOnly(ui::Layers& layers, const std::vector<std::s
     return std::nullopt;
 }
 
+/// A plot by a name that is known.
+ui::Plot plotNamed(const std::string& name) {
+    return static_cast<ui::Plot>(std::ranges::find(ui::plotNames, name) - ui::plotNames.begin());
+}
+
 Result<ui::Session> sessionFor(const DrawScreenshot& asked) {
     if (!asked.file) {
         return ui::Session(exampleDocument());
@@ -73,6 +78,8 @@ int drawScreenshot(const DrawScreenshot& asked) {
     }
     session->view.theme = asked.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
     session->view.presenting = asked.present;
+    session->view.plot = plotNamed(asked.plot);
+    session->view.pace = asked.pace == "length" ? Even::length : Even::parameter;
     if (!asked.show.empty()) {
         if (const auto fault = showOnly(session->view.layers, asked.show)) {
             complain(*fault);

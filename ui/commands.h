@@ -27,6 +27,7 @@ struct Command {
     bool onTap = false;       ///< when its key is let go, if nothing was done with it held down
     /// In which menus of the right button it stands.
     std::vector<Context> contexts = {};
+    std::string submenu = {}; ///< under which title within its menu; empty: in the menu itself
 };
 
 std::span<const Command> commands();

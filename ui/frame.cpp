@@ -140,19 +140,27 @@ void showCanvas(FrameResult& result, const Session& session, const Theme& theme,
     show(result, scene, theme, theme.surfaces.canvas, scale);
 }
 
+void drawBasisPlots(Scene& scene, const Study& study, const View& view, const StripFrames& frames,
+                    double scale) {
+    const auto emphasis = emphasisOf(view);
+    drawBasis(scene, wholeRangeFrame(study, frames.whole), study, view.cursor, emphasis, scale);
+    drawSegments(scene, segmentFrame(study, *frames.segments), study, view.cursor, emphasis, scale);
+}
+
 void showPlots(FrameResult& result, const Session& session, const StripFrames& frames,
                const ScreenRect& strip, const Theme& theme, double scale) {
     const Study* study = session.active();
-    if (study == nullptr || study->blends() == nullptr || study->pieces().empty()) {
+    if (study == nullptr || study->pieces().empty()) {
         return;
     }
     const auto& view = session.view;
     Scene scene;
     scene.frame = strip;
-    drawBasis(scene, wholeRangeFrame(*study, frames.whole), *study, view.cursor, emphasisOf(view),
-              scale);
-    drawSegments(scene, segmentFrame(*study, frames.segments), *study, view.cursor,
-                 emphasisOf(view), scale);
+    if (const auto plot = motionPlot(*study, view, frames.whole)) {
+        drawMotion(scene, *plot, frames.caption, scale);
+    } else if (frames.segments && study->blends() != nullptr) {
+        drawBasisPlots(scene, *study, view, frames, scale);
+    }
     show(result, scene, theme, theme.surfaces.panel, scale);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <tuple>
 
 namespace splineloft::ui {
@@ -26,22 +27,23 @@ template <class Owner> struct Switch {
 };
 
 /// One of a few, by their names in the order of their values.
-template <class Owner, class Enum> struct Choice {
+template <class Owner, class Enum, std::size_t count> struct Choice {
     std::string_view key;
     Enum Owner::* field;
-    std::array<std::string_view, 2> names;
+    std::array<std::string_view, count> names;
 };
 
 /// Of a view: here belongs, in one line, whatever else outlives a document.
 constexpr std::tuple ofView = {
-    Choice<View, ThemeKind>{"theme", &View::theme, {"dark", "light"}},
+    Choice<View, ThemeKind, 2>{"theme", &View::theme, {"dark", "light"}},
     Measure<View, double>{"strip", &View::strip, 60, 2000},
     Measure<View, double>{"inspector", &View::inspector, 120, 2000},
     Measure<View, double>{"interfaceScale", &View::interfaceScale, 0.5, 2},
     Switch<View>{"log", &View::log},
     Measure<View, double>{"duration", &View::duration, 0.1, 3600},
-    Choice<View, Even>{"pace", &View::pace, {"parameter", "length"}},
-    Measure<View, int>{"beads", &View::beads, 2, 10'000}};
+    Choice<View, Even, 2>{"pace", &View::pace, {"parameter", "length"}},
+    Measure<View, int>{"beads", &View::beads, 2, 10'000},
+    Choice<View, Plot, plotNames.size()>{"plot", &View::plot, plotNames}};
 
 constexpr std::tuple ofHabits = {
     Switch<Habits>{"systemDialogs", &Habits::systemDialogs},
@@ -51,6 +53,7 @@ constexpr std::tuple ofHabits = {
 constexpr std::string_view layersKey = "layers";
 
 static_assert(static_cast<int>(Even::parameter) == 0 && static_cast<int>(Even::length) == 1);
+static_assert(plotNames[static_cast<std::size_t>(Plot::curvature)] == "curvature");
 static_assert(static_cast<int>(ThemeKind::dark) == 0 && static_cast<int>(ThemeKind::light) == 1);
 
 // --- writing it
@@ -67,8 +70,8 @@ template <class Owner> void write(JsonText& text, const Switch<Owner>& kept, con
     text.boolean(owner.*kept.field);
 }
 
-template <class Owner, class Enum>
-void write(JsonText& text, const Choice<Owner, Enum>& kept, const Owner& owner) {
+template <class Owner, class Enum, std::size_t count>
+void write(JsonText& text, const Choice<Owner, Enum, count>& kept, const Owner& owner) {
     text.key(kept.key);
     text.text(kept.names.at(static_cast<std::size_t>(owner.*kept.field)));
 }
@@ -80,6 +83,15 @@ void writeAll(JsonText& text, const List& list, const Owner& owner) {
 
 // --- reading it
 // -----------------------------------------------------------------------------------
+
+/// "this, that or another".
+std::string oneOf(std::span<const std::string_view> names) {
+    std::string words(names.front());
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        words += (i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
+    }
+    return words;
+}
 
 /// Reads what is remembered from the members of one object.
 class Reader {
@@ -101,13 +113,13 @@ class Reader {
         }
     }
 
-    template <class Owner, class Enum> void read(const Choice<Owner, Enum>& kept, Owner& owner) {
+    template <class Owner, class Enum, std::size_t count>
+    void read(const Choice<Owner, Enum, count>& kept, Owner& owner) {
         if (const auto* value = find(kept.key)) {
             const auto text = values_.text(*value, {place_, kept.key});
             const auto name = std::ranges::find(kept.names, text);
             if (name == kept.names.end()) {
-                values_.refuse({place_, kept.key}, "is " + inQuotes(text),
-                               std::string(kept.names[0]) + " or " + std::string(kept.names[1]));
+                values_.refuse({place_, kept.key}, "is " + inQuotes(text), oneOf(kept.names));
             } else {
                 owner.*kept.field = static_cast<Enum>(name - kept.names.begin());
             }

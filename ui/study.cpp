@@ -188,6 +188,20 @@ const ArcLength& Study::lengths() const {
     return *lengths_;
 }
 
+Motion Study::motion(Even pace, double duration) const {
+    return pace == Even::length ? Motion::evenInLength(pieces(), lengths(), duration)
+                                : Motion::evenInParameter(pieces(), duration);
+}
+
+const MotionGraph& Study::motionGraph(Even pace, double duration, std::size_t columns) const {
+    auto& known = motionGraph_;
+    if (!known || known->pace != pace || known->duration != duration || known->columns != columns) {
+        known.emplace(PlayedGraph{pace, duration, columns,
+                                  MotionGraph(pieces(), motion(pace, duration), columns)});
+    }
+    return known->graph;
+}
+
 const PlaneStudy& Study::inPlane(const Axes& axes) const {
     if (!plane_ || !(plane_->axes() == axes)) {
         plane_ = std::make_unique<PlaneStudy>(*curve_, pieces(), axes);

@@ -4,6 +4,7 @@
 #include "core/spline/curve.h"
 #include "core/spline/measure/length.h"
 #include "core/spline/traits.h"
+#include "ui/motion_graph.h"
 #include "ui/plane_study.h"
 
 #include <memory>
@@ -43,6 +44,10 @@ class Study {
     const Family& family() const { return familyOf(*curve_); }
     const Pieces& pieces() const;
     const ArcLength& lengths() const;
+    /// The curve as it is played in so many seconds.
+    Motion motion(Even pace, double duration) const;
+    /// Its course, in a plot of so many columns of pixels. The last one is kept.
+    const MotionGraph& motionGraph(Even pace, double duration, std::size_t columns) const;
     /// The curve in the plane of the canvas.
     const PlaneStudy& inPlane(const Axes& axes) const;
     /// Its pieces there.
@@ -58,12 +63,20 @@ class Study {
     bool isOnCurve(std::size_t control) const;
 
   private:
+    struct PlayedGraph {
+        Even pace;
+        double duration;
+        std::size_t columns;
+        MotionGraph graph;
+    };
+
     void follow(Study& earlier, const Moves& moves);
     void followTraits(Study& earlier, const Moves& moves, std::span<const Range> changed);
 
     std::shared_ptr<const Curve> curve_;
     mutable std::unique_ptr<LivePieces> pieces_; // the others refer to them
     mutable std::optional<ArcLength> lengths_;
+    mutable std::optional<PlayedGraph> motionGraph_;
     mutable std::unique_ptr<PlaneStudy> plane_;
     mutable std::shared_ptr<const BlendPieces> blends_;
     mutable std::shared_ptr<const BasisGraph> basisGraph_;

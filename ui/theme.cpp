@@ -62,6 +62,7 @@ float widthOf(Role role) {
     case Role::curve: return 3;
     case Role::otherCurve: return 2;
     case Role::curveHalo: return 9;
+    case Role::motion:
     case Role::basis:
     case Role::tangentBasis: return 1.8F;
     case Role::ladder: return 1.8F;
@@ -129,6 +130,9 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
     case Role::stemFilled: return s.accent;
     case Role::stem: return mixed(s.text, s.canvas, 0.45);
     case Role::plotAxis: return mixed(s.text, s.panel, 0.22);
+    case Role::plotZero: return mixed(s.text, s.panel, 0.4);
+    case Role::plotJoint: return mixed(s.text, s.panel, 0.34);
+    case Role::motion: return s.accent;
     case Role::plotBand: return mixed(s.accent, s.panel, 0.14);
     case Role::plotCursor: return s.text;
     case Role::plotText: return s.quiet;
@@ -143,6 +147,9 @@ StrokeStyle strokeOf(const Theme& theme, const Ink& ink, double scale) {
         ink.role == Role::tangentBasis) {
         style.dash = 6 * pixels;
         style.gap = 5 * pixels;
+    } else if (ink.role == Role::plotJoint) {
+        style.dash = 1.5F * pixels;
+        style.gap = 3.5F * pixels;
     }
     return style;
 }
@@ -155,6 +162,7 @@ double markRadius(const Ink& ink, double scale) {
     case Role::selected: return 11 * scale;
     case Role::hovered: return 10 * scale;
     case Role::ghost: return 5 * scale;
+    case Role::motion:
     case Role::basis:
     case Role::tangentBasis:
     case Role::ladder: return 4.5 * scale;

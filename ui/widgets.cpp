@@ -189,19 +189,18 @@ std::optional<Turned> parameterSlider(const Parameter& parameter, double value,
     return turned;
 }
 
-std::optional<int> choiceOf(const char* id, std::span<const std::string_view> names, int chosen,
-                            const Stage& stage, double width) {
+/// Buttons of a width, of which 0 means what each name wants.
+static std::optional<int> choice(const char* id, std::span<const std::string_view> names,
+                                 int chosen, const Stage& stage, float width) {
     std::optional<int> clicked;
     ImGui::PushID(id);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {stage.px(3), stage.px(7)});
-    const auto count = static_cast<double>(names.size());
-    const auto each = static_cast<float>((width - 3 * stage.scale * (count - 1)) / count);
     for (int i = 0; i < static_cast<int>(names.size()); ++i) {
         const bool pressed = i == chosen;
         ImGui::PushStyleColor(ImGuiCol_Button, packed(pressed ? stage.theme.surfaces.accentSoft
                                                               : stage.theme.surfaces.field));
         const std::string name(names[static_cast<std::size_t>(i)]);
-        if (ImGui::Button(name.c_str(), {each, 0}) && !pressed) {
+        if (ImGui::Button(name.c_str(), {width, 0}) && !pressed) {
             clicked = i;
         }
         ImGui::PopStyleColor();
@@ -212,6 +211,18 @@ std::optional<int> choiceOf(const char* id, std::span<const std::string_view> na
     ImGui::PopStyleVar();
     ImGui::PopID();
     return clicked;
+}
+
+std::optional<int> choiceOf(const char* id, std::span<const std::string_view> names, int chosen,
+                            const Stage& stage, double width) {
+    const auto count = static_cast<double>(names.size());
+    const auto each = static_cast<float>((width - 3 * stage.scale * (count - 1)) / count);
+    return choice(id, names, chosen, stage, each);
+}
+
+std::optional<int> choiceOf(const char* id, std::span<const std::string_view> names, int chosen,
+                            const Stage& stage) {
+    return choice(id, names, chosen, stage, 0);
 }
 
 bool toggle(const char* label, bool& on, const Stage& stage) {

@@ -41,6 +41,9 @@ std::optional<Turned> parameterSlider(const Parameter& parameter, double value, 
 /// Buttons side by side, one of them pressed. Returns the one that was clicked.
 std::optional<int> choiceOf(const char* id, std::span<const std::string_view> names, int chosen,
                             const Stage& stage, double width);
+/// The same, each button as wide as its name wants.
+std::optional<int> choiceOf(const char* id, std::span<const std::string_view> names, int chosen,
+                            const Stage& stage);
 
 /// A rounded label; struck through where the property does not hold.
 struct Chip {

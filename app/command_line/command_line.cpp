@@ -79,6 +79,8 @@ struct Written {
         family;
     std::string spacing = "parameter";
     std::string theme = "dark";
+    std::string plot = "basis";
+    std::string pace = "length";
     bool present = false;
     bool json = false;
 };
@@ -120,6 +122,8 @@ DrawScreenshot screenshotIn(const Written& written) {
     shot.output = written.output;
     shot.theme = written.theme;
     shot.present = written.present;
+    shot.plot = written.plot;
+    shot.pace = written.pace;
     if (!written.show.empty()) {
         shot.show = split(written.show, ',');
     }
@@ -301,6 +305,10 @@ class CommandLine {
         sub->add_option("--theme", written_.theme, "dark or light (default: dark)")
             ->check(CLI::IsMember({"dark", "light"}));
         sub->add_option("--show", written_.show, "Layers to show")->type_name("A,B,...");
+        sub->add_option("--plot", written_.plot, "The plot below the canvas (default: basis)")
+            ->check(CLI::IsMember({"basis", "speed", "acceleration", "curvature"}));
+        sub->add_option("--pace", written_.pace, "Playing is even in it (default: length)")
+            ->check(CLI::IsMember({"length", "parameter"}));
         sub->add_flag("--present", written_.present, "As it is shown to an audience (F11)");
         sub->add_option("--scale", written_.scale, "Size of the interface, 0.5 to 4 (default: 1)")
             ->type_name("S");

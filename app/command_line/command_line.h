@@ -23,6 +23,8 @@ struct DrawScreenshot {
     double scale = 1;              ///< of the interface
     std::string theme = "dark";    ///< or "light"
     std::vector<std::string> show; ///< names of layers, as they were given
+    std::string plot = "basis";    ///< the name of a plot, as it was given
+    std::string pace = "length";   ///< what playing is even in, or "parameter"
     bool present = false;          ///< as before an audience
 };
 

@@ -60,6 +60,23 @@ TEST_P(Legibility, ofAllPanels) {
     }
 }
 
+TEST_P(Legibility, ofPlots) {
+    Curve large = curveOf("catmull-rom");
+    large.points.set(2, {-123456.789012345, 98765432.123456});
+    for (const auto& document : {documentOf({curveOf("natural", 3)}), documentOf({large})}) {
+        driver.session.opened(document, "");
+        for (const auto plot : {Plot::speed, Plot::acceleration, Plot::curvature}) {
+            for (const bool present : {false, true}) {
+                driver.session.view.plot = plot;
+                driver.session.view.pace = Even::parameter;
+                driver.session.present(present);
+                expectAllToBeRead(std::string(plotNames[static_cast<std::size_t>(plot)]) +
+                                  (present ? " before an audience" : ""));
+            }
+        }
+    }
+}
+
 TEST_P(Legibility, beforeAnAudience) {
     driver.session.present(true);
     for (const auto& document : documents()) {

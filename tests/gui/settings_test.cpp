@@ -14,6 +14,7 @@ Session unusual() {
     session.view.duration = 2.25;
     session.view.pace = Even::parameter;
     session.view.beads = 7;
+    session.view.plot = Plot::acceleration;
     for (const auto& [name, layer] : namedLayers) {
         session.view.layers.*layer = !(session.view.layers.*layer);
     }
@@ -30,6 +31,7 @@ TEST(Settings, areReadBack) {
     EXPECT_EQ(settingsText(other), text);
     EXPECT_EQ(other.view.layers, unusual().view.layers);
     EXPECT_EQ(other.view.beads, 7);
+    EXPECT_EQ(other.view.plot, Plot::acceleration);
     EXPECT_FALSE(other.habits.systemDialogs);
 }
 
@@ -70,6 +72,7 @@ TEST(Settings, damagedOnesChangeNothingAndSayWhere) {
     refused("[]", "is an array");
     refused(R"({"beads": 9, "theme": "pink"})", "/theme");
     refused(R"({"beads": "nine"})", "/beads");
+    refused(R"({"plot": "jerk"})", "basis, speed, acceleration or curvature");
     refused(R"({"beads": 9, "layers": {"comb": 1}})", "/layers/comb");
     refused(R"({"beads": 9, "layers": []})", "/layers");
     refused(R"({"beads": 9, "systemDialogs": "no"})", "/systemDialogs");

@@ -65,6 +65,7 @@ TEST(ThemeContrast, controlsAndLevelsStandOutOnCanvasAndPanel) {
             EXPECT_GE(contrast(theme.levels[i], theme.surfaces.canvas), 3) << nameOf(kind) << i;
         }
         EXPECT_GE(contrast(colourOf(theme, {Role::plotCursor}), theme.surfaces.panel), 3);
+        EXPECT_GE(contrast(colourOf(theme, {Role::motion}), theme.surfaces.panel), 3);
     }
 }
 

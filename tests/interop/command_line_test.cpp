@@ -263,16 +263,20 @@ TEST(CommandLine, asksForScreenshots) {
     EXPECT_EQ(plain.width, 1280);
     EXPECT_EQ(plain.height, 800);
     EXPECT_EQ(plain.theme, "dark");
-    const auto full =
-        std::get<DrawScreenshot>(run({"screenshot", "a.json", "-o", "b.PNG", "--size", "640x480",
-                                      "--theme", "light", "--show", "basis,comb", "--scale", "1.5"})
-                                     .command);
+    const auto full = std::get<DrawScreenshot>(
+        run({"screenshot", "a.json", "-o", "b.PNG", "--size", "640x480", "--theme", "light",
+             "--show", "basis,comb", "--scale", "1.5", "--plot", "speed", "--pace", "parameter"})
+            .command);
     EXPECT_EQ(full.file, "a.json");
     EXPECT_EQ(full.width, 640);
     EXPECT_EQ(full.height, 480);
     EXPECT_EQ(full.theme, "light");
     EXPECT_EQ(full.scale, 1.5);
     EXPECT_EQ(full.show, (std::vector<std::string>{"basis", "comb"}));
+    EXPECT_EQ(plain.plot, "basis");
+    EXPECT_EQ(plain.pace, "length");
+    EXPECT_EQ(full.plot, "speed");
+    EXPECT_EQ(full.pace, "parameter");
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -358,6 +362,8 @@ std::vector<Wrong> wrongs() {
         {"sizeOfOneSide", {"screenshot", "-o", "a.png", "--size", "640"}, usage, "1280x800"},
         {"sizeTooLarge", {"screenshot", "-o", "a.png", "--size", "640x99999"}, usage, "64 to 8192"},
         {"unknownTheme", {"screenshot", "-o", "a.png", "--theme", "blue"}, usage, "--theme"},
+        {"unknownPlot", {"screenshot", "-o", "a.png", "--plot", "jerk"}, usage, "--plot"},
+        {"unknownPace", {"screenshot", "-o", "a.png", "--pace", "jerk"}, usage, "--pace"},
         {"scaleTooLarge", {"screenshot", "-o", "a.png", "--scale", "9"}, usage, "0.5 to 4"},
     };
 }

@@ -75,8 +75,8 @@ class Placement {
     void seek(const SceneLabel& label) {
         const TextSize size = measure_(label);
         if (label.fixed) {
-            const ScreenRect rect{label.at.x, label.at.y - size.height / 2, size.width,
-                                  size.height};
+            const ScreenRect rect{label.at.x - label.anchor * size.width,
+                                  label.at.y - size.height / 2, size.width, size.height};
             return isFree(rect) ? put(label, rect) : void();
         }
         if (const auto rect = bestRect(label, size)) {

@@ -42,9 +42,12 @@ enum class Role {
     stem,     ///< the track of a number at its point
     stemFilled,
     plotAxis,
+    plotZero,  ///< the line at zero, where values may lie on both sides
+    plotJoint, ///< where one piece gives way to the next
     plotBand,
     plotCursor,
     plotText,
+    motion,      ///< the graph of speed, acceleration or curvature
     basis,       ///< a basis function, in its control point's colour
     tangentBasis ///< that of a tangent: in its point's colour, dashed
 };
@@ -87,6 +90,7 @@ struct SceneLabel {
     bool optional = true; ///< left out where there is no room
     bool fixed = false;   ///< stands exactly at `at`, its middle line there
     bool noted = false;   ///< on a small plate, as a note
+    double anchor = 0;    ///< if fixed: which part of its width lies left of `at`
 };
 
 struct SceneArea {

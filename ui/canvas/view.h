@@ -37,7 +37,7 @@ struct Layers {
     bool comb = false;
     bool beads = false;
     bool joints = false;
-    bool basis = true;
+    bool basis = true; ///< the strip of plots, of which it was the first
     bool operator==(const Layers&) const = default;
 };
 
@@ -52,6 +52,13 @@ inline constexpr std::array namedLayers = {
     NamedLayer{"ladder", &Layers::ladder},   NamedLayer{"comb", &Layers::comb},
     NamedLayer{"beads", &Layers::beads},     NamedLayer{"joints", &Layers::joints},
     NamedLayer{"basis", &Layers::basis}};
+
+/// What the strip at the bottom shows of the active curve.
+enum class Plot { basis, speed, acceleration, curvature };
+
+/// The plots by name, in the order of their values.
+inline constexpr std::array<std::string_view, 4> plotNames = {"basis", "speed", "acceleration",
+                                                              "curvature"};
 
 enum class Tool {
     select,
@@ -107,6 +114,7 @@ struct View {
     double duration = 6;      ///< seconds from start to end
     Even pace = Even::length; ///< what playing, and the beads, are even in
     int beads = 24;
+    Plot plot = Plot::basis;
     double strip = usualStrip;         ///< height of the plots, design pixels
     double inspector = usualInspector; ///< width, design pixels
     double interfaceScale = 1;         ///< how large the person wants everything to be

@@ -42,6 +42,30 @@ void addLayer(std::vector<Command>& all, std::string id, std::string name, Short
                    [layer](const Session& s) { return s.view.layers.*layer; }});
 }
 
+/// Shows a plot, also where no strip or the messages were shown.
+void addPlot(std::vector<Command>& all, std::string id, std::string name, Shortcut shortcut,
+             Plot plot) {
+    all.push_back({"plot." + id,
+                   "View",
+                   called(std::move(name)),
+                   {shortcut},
+                   [plot](Session& s) {
+                       s.view.plot = plot;
+                       s.view.layers.basis = true;
+                       s.view.log = false;
+                   },
+                   [](const Session&) { return true; },
+                   [plot](const Session& s) { return s.view.plot == plot; }});
+    all.back().submenu = "Plot";
+}
+
+void addPlots(std::vector<Command>& all) {
+    addPlot(all, "basis", "Plot the basis functions", {Key::h, shiftKey}, Plot::basis);
+    addPlot(all, "speed", "Plot the speed", {Key::s, shiftKey}, Plot::speed);
+    addPlot(all, "acceleration", "Plot the acceleration", {Key::a, shiftKey}, Plot::acceleration);
+    addPlot(all, "curvature", "Plot the curvature", {Key::k, shiftKey}, Plot::curvature);
+}
+
 void addSizes(std::vector<Command>& all) {
     all.push_back(
         {"view.larger",
@@ -91,7 +115,8 @@ void addViewCommands(std::vector<Command>& all) {
     addLayer(all, "comb", "Curvature comb", {Key::k}, &Layers::comb);
     addLayer(all, "beads", "Beads", {Key::b}, &Layers::beads);
     addLayer(all, "joints", "Joints", {Key::j}, &Layers::joints);
-    addLayer(all, "basis", "Basis functions", {Key::h}, &Layers::basis);
+    addLayer(all, "basis", "Strip of plots", {Key::h}, &Layers::basis);
+    addPlots(all);
     addLayer(all, "grid", "Grid", {Key::g, shiftKey}, &Layers::grid);
     all.back().startsGroup = true;
     all.back().contexts = {Context::canvas};

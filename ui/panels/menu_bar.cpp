@@ -14,6 +14,39 @@ void drawMenuItem(Session& session, const Command& command) {
     }
 }
 
+static void drawSubmenu(Session& session, const Command& first) {
+    if (ImGui::BeginMenu(first.submenu.c_str())) {
+        for (const auto& command : commands()) {
+            if (command.menu == first.menu && command.submenu == first.submenu) {
+                drawMenuItem(session, command);
+            }
+        }
+        ImGui::EndMenu();
+    }
+}
+
+/// The commands of a menu in their order, a submenu where the first of its own stands.
+static void drawEntries(Session& session, const std::string& menu) {
+    std::string last; // submenu
+    for (const auto& command : commands()) {
+        if (command.menu != menu || (!command.submenu.empty() && command.submenu == last)) {
+            continue;
+        }
+        if (command.startsGroup) {
+            ImGui::Separator();
+        }
+        last = command.submenu;
+        if (!last.empty()) {
+            drawSubmenu(session, command);
+            continue;
+        }
+        drawMenuItem(session, command);
+        if (command.id == "file.open") {
+            drawRecentMenu(session);
+        }
+    }
+}
+
 void drawMenuBar(Session& session, const Stage& stage) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {stage.px(9), stage.px(7.5)});
     const bool shown = ImGui::BeginMainMenuBar();
@@ -23,17 +56,7 @@ void drawMenuBar(Session& session, const Stage& stage) {
     }
     for (const char* menu : menuTitles) {
         if (ImGui::BeginMenu(menu)) {
-            for (const auto& command : commands()) {
-                if (command.menu == menu) {
-                    if (command.startsGroup) {
-                        ImGui::Separator();
-                    }
-                    drawMenuItem(session, command);
-                    if (command.id == "file.open") {
-                        drawRecentMenu(session);
-                    }
-                }
-            }
+            drawEntries(session, menu);
             ImGui::EndMenu();
         }
     }

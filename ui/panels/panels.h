@@ -2,7 +2,7 @@
 // person did: an edit of the document, changes of the view, a command.
 #pragma once
 
-#include "ui/canvas/plot.h"
+#include "ui/canvas/motion_plot.h"
 #include "ui/session.h"
 #include "ui/stage.h"
 
@@ -32,10 +32,14 @@ std::optional<Edit> drawSelection(const Session& session, const View& view, cons
 /// The numbers of the point for which exact entry was asked, beside it on the canvas.
 std::optional<Edit> drawExactEntry(const Session& session, View& view, const Stage& stage);
 
-/// The strip of plots: its controls and values. Returns where the two plots are to be drawn.
+/// Where the plots are to be drawn: the one over the whole curve, and that of one piece where it is
+/// of basis functions.
 struct StripFrames {
-    ScreenRect whole, segments;
+    ScreenRect whole;
+    std::optional<ScreenRect> segments;
+    Caption caption = Caption::unit;
 };
+/// The strip of plots: its controls and values.
 std::optional<StripFrames> drawStrip(const Session& session, View& view, const Stage& stage);
 
 /// The messages, as long as they are wanted.
