@@ -188,6 +188,16 @@ const ArcLength& Study::lengths() const {
     return *lengths_;
 }
 
+const Frames& Study::frames() const {
+    if (!frames_) {
+        // Measured, not declared: also where the ends of an open curve meet there is a seam.
+        const bool comesBack =
+            !pieces().empty() && jointAfter(pieces(), pieces().size() - 1).c >= 0;
+        frames_.emplace(pieces(), lengths(), comesBack);
+    }
+    return *frames_;
+}
+
 Motion Study::motion(Even pace, double duration) const {
     return pace == Even::length ? Motion::evenInLength(pieces(), lengths(), duration)
                                 : Motion::evenInParameter(pieces(), duration);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/spline/curve.h"
+#include "core/spline/measure/frames.h"
 #include "core/spline/measure/length.h"
 #include "core/spline/traits.h"
 #include "ui/motion_graph.h"
@@ -44,6 +45,8 @@ class Study {
     const Family& family() const { return familyOf(*curve_); }
     const Pieces& pieces() const;
     const ArcLength& lengths() const;
+    /// The frames that go along with it.
+    const Frames& frames() const;
     /// The curve as it is played in so many seconds.
     Motion motion(Even pace, double duration) const;
     /// Its course, in a plot of so many columns of pixels. The last one is kept.
@@ -76,6 +79,7 @@ class Study {
     std::shared_ptr<const Curve> curve_;
     mutable std::unique_ptr<LivePieces> pieces_; // the others refer to them
     mutable std::optional<ArcLength> lengths_;
+    mutable std::optional<Frames> frames_;
     mutable std::optional<PlayedGraph> motionGraph_;
     mutable std::unique_ptr<PlaneStudy> plane_;
     mutable std::shared_ptr<const BlendPieces> blends_;

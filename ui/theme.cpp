@@ -68,6 +68,8 @@ float widthOf(Role role) {
     case Role::ladder: return 1.8F;
     case Role::plotCursor:
     case Role::snap: return 1.5F;
+    case Role::frame: return 1.5F;
+    case Role::cursorFrame: return 2.4F;
     case Role::stem: return 2;
     case Role::stemFilled: return 3;
     default: return 1;
@@ -120,6 +122,8 @@ Colour colourOf(const Theme& theme, const Ink& ink) {
     case Role::combEdge: return mixed(s.accent, s.canvas, 0.75);
     case Role::bead: return mixed(s.accent, s.canvas, 0.9);
     case Role::joint: return s.accent;
+    case Role::frame:
+    case Role::cursorFrame: return turn(theme.controls, ink.index);
     case Role::jointNote: return s.text;
     case Role::box: return s.accent;
     case Role::snap: return s.warning;
@@ -169,6 +173,8 @@ double markRadius(const Ink& ink, double scale) {
     case Role::tip: return 7 * scale;
     case Role::bead: return 3.5 * scale;
     case Role::joint: return 5 * scale;
+    case Role::frame: return 4 * scale;
+    case Role::cursorFrame: return 6 * scale;
     case Role::snap: return 9 * scale;
     case Role::grip:
     case Role::gripHeld: return 6 * scale;

@@ -134,7 +134,7 @@ TEST(Shortcuts, theLayersGoOnAndOff) {
     const std::vector<std::pair<Key, bool Layers::*>> keys = {
         {Key::g, &Layers::polygon}, {Key::n, &Layers::labels}, {Key::l, &Layers::ladder},
         {Key::k, &Layers::comb},    {Key::b, &Layers::beads},  {Key::j, &Layers::joints},
-        {Key::h, &Layers::basis}};
+        {Key::r, &Layers::frames},  {Key::h, &Layers::basis}};
     EXPECT_EQ(keys.size(), namedLayers.size());
     for (const auto& [key, layer] : keys) {
         const bool before = driver.session.view.layers.*layer;

@@ -43,7 +43,9 @@ TEST(ThemeContrast, whatIsDrawnOnTheCanvasStandsOut) {
                                               {"box", Role::box},
                                               {"snap", Role::snap},
                                               {"grid number", Role::gridNumber},
-                                              {"other control", Role::otherControl}};
+                                              {"other control", Role::otherControl},
+                                              {"arrow of a frame", Role::frame},
+                                              {"arrow at the cursor", Role::cursorFrame}};
     for (const auto kind : kinds) {
         const Theme& theme = themeOf(kind);
         for (const auto& [name, role] : seen) {

@@ -21,7 +21,7 @@ import desk
 EXAMPLES = desk.ROOT / "assets/examples"
 REFERENCES = pathlib.Path(__file__).resolve().parent / "references"
 
-ALL_LAYERS = "polygon,labels,ladder,comb,beads,joints,basis"
+ALL_LAYERS = "polygon,labels,ladder,comb,beads,joints,frames,basis"
 
 
 class Scene:
@@ -49,6 +49,8 @@ SCENES = {
     "bezier-ladder-light-twice": Scene("bezier-ladder", size="2560x1600", scale="2",
                                        theme="light"),
     "flight-dark": Scene("flight", size="1280x800", show="polygon,labels,beads"),
+    "flight-acceleration-light": Scene("flight", size="1280x800", theme="light",
+                                       show="labels,joints,basis", plot="acceleration"),
     "lath-dark-large": Scene("lath", size="1920x1080", show="labels,comb,joints,basis"),
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/document/edits.h"
 #include "ui/canvas/comb.h"
+#include "ui/canvas/frame_arrows.h"
 #include "ui/canvas/grid.h"
 #include "ui/canvas/line_work.h"
 #include "ui/canvas/tool_marks.h"
@@ -135,6 +136,8 @@ class Illustration {
             mark({p[0], p[1]}, SignShape::disc, {Role::bead});
         }
     }
+
+    void frames(const Study& study) { drawFrames(scene_, study, view_, viewport_, scale_); }
 
     void joints(const Study& study) {
         for (const auto& joint : study.traits().joints) {
@@ -303,6 +306,9 @@ Scene illustrate(const View& view, const Gesture& gesture, const Situation& situ
         drawing.activeCurve(study);
         if (view.layers.beads) {
             drawing.beads(study);
+        }
+        if (view.layers.frames) {
+            drawing.frames(study);
         }
         if (view.layers.joints) {
             drawing.joints(study);

@@ -32,6 +32,8 @@ enum class Role {
     combEdge,
     bead,
     joint,
+    frame,       ///< an arrow at a bead: 0 the tangent, then the normals
+    cursorFrame, ///< the same at the cursor
     jointNote,
     box,    ///< rubber band
     snap,   ///< what a drag has snapped to

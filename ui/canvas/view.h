@@ -37,6 +37,7 @@ struct Layers {
     bool comb = false;
     bool beads = false;
     bool joints = false;
+    bool frames = false;
     bool basis = true; ///< the strip of plots, of which it was the first
     bool operator==(const Layers&) const = default;
 };
@@ -51,7 +52,7 @@ inline constexpr std::array namedLayers = {
     NamedLayer{"polygon", &Layers::polygon}, NamedLayer{"labels", &Layers::labels},
     NamedLayer{"ladder", &Layers::ladder},   NamedLayer{"comb", &Layers::comb},
     NamedLayer{"beads", &Layers::beads},     NamedLayer{"joints", &Layers::joints},
-    NamedLayer{"basis", &Layers::basis}};
+    NamedLayer{"frames", &Layers::frames},   NamedLayer{"basis", &Layers::basis}};
 
 /// What the strip at the bottom shows of the active curve.
 enum class Plot { basis, speed, acceleration, curvature };

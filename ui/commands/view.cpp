@@ -115,6 +115,7 @@ void addViewCommands(std::vector<Command>& all) {
     addLayer(all, "comb", "Curvature comb", {Key::k}, &Layers::comb);
     addLayer(all, "beads", "Beads", {Key::b}, &Layers::beads);
     addLayer(all, "joints", "Joints", {Key::j}, &Layers::joints);
+    addLayer(all, "frames", "Frames", {Key::r}, &Layers::frames);
     addLayer(all, "basis", "Strip of plots", {Key::h}, &Layers::basis);
     addPlots(all);
     addLayer(all, "grid", "Grid", {Key::g, shiftKey}, &Layers::grid);

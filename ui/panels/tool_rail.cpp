@@ -17,11 +17,11 @@ struct RailButton {
     bool startsGroup = false;
 };
 
-constexpr std::array buttons = {
-    RailButton{"↖", "tool.select"},    RailButton{"✎", "tool.pen"},
-    RailButton{"⌂", "view.fit", true}, RailButton{"▲", "view.ladder"},
-    RailButton{"≋", "view.comb"},      RailButton{"∴", "view.beads"},
-    RailButton{"◎", "view.joints"},    RailButton{"▷", "motion.play", true}};
+constexpr std::array buttons = {RailButton{"↖", "tool.select"},      RailButton{"✎", "tool.pen"},
+                                RailButton{"⌂", "view.fit", true},   RailButton{"▲", "view.ladder"},
+                                RailButton{"≋", "view.comb"},        RailButton{"∴", "view.beads"},
+                                RailButton{"◎", "view.joints"},      RailButton{"∟", "view.frames"},
+                                RailButton{"▷", "motion.play", true}};
 
 // Design pixels.
 constexpr double usualSide = 34;
