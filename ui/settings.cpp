@@ -94,9 +94,9 @@ std::string oneOf(std::span<const std::string_view> names) {
 }
 
 /// Reads what is remembered from the members of one object.
-class Reader {
+class SettingsReader {
   public:
-    Reader(ValueReader& values, const JsonValue& object, const JsonPlace& place)
+    SettingsReader(ValueReader& values, const JsonValue& object, const JsonPlace& place)
         : values_(values), members_(values.membersOf(object, place)), place_(place) {}
 
     template <class Owner, class Number>
@@ -170,13 +170,13 @@ Result<Done> applySettings(Session& session, std::string_view text) {
     }
     const JsonPlace top;
     ValueReader values;
-    Reader reader(values, tape->root(), top);
+    SettingsReader reader(values, tape->root(), top);
     View view;
     keepRemembered(session.view, view);
     reader.readAll(ofView, view);
     if (const auto* layers = reader.find(layersKey)) {
         const JsonPlace place(top, layersKey);
-        Reader each(values, *layers, place);
+        SettingsReader each(values, *layers, place);
         for (const auto& [name, layer] : namedLayers) {
             each.read(Switch<Layers>{name, layer}, view.layers);
         }

@@ -65,8 +65,8 @@ BasisGraph graphOf(const BlendPieces& blends) {
             run.control = control;
             for (std::size_t k = 0; k <= samples; ++k) {
                 const double u = static_cast<double>(k) / static_cast<double>(samples);
-                const double weight =
-                    valueAt(coefficients, u) / (weights.empty() ? 1 : valueAt(weights, u));
+                const double weight = splineloft::valueAt(coefficients, u) /
+                                      (weights.empty() ? 1 : splineloft::valueAt(weights, u));
                 run.values.push_back({{i, u}, weight});
                 graph.low = std::min(graph.low, weight);
                 graph.high = std::max(graph.high, weight);

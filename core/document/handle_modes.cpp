@@ -59,16 +59,11 @@ HandleMode modeOf(const Curve& curve, const HandleModes& modes, std::size_t anch
     return stored == modes.end() ? shownMode(curve, anchor) : stored->second;
 }
 
-Point unit(const Point& way) {
-    const double length = norm(way);
-    return length > 0 ? (1 / length) * way : way;
-}
-
 /// Puts both handles on one line, at these distances from their anchor.
 void layInLine(Curve& curve, std::size_t anchor, const Arms& arms, double back, double forth) {
-    const Point mean = unit(arms.forth) - unit(arms.back);
+    const Point mean = unitVector(arms.forth) - unitVector(arms.back);
     // Where both go the same way, there is no mean; the one that leaves stays.
-    const Point direction = norm(mean) > 0 ? unit(mean) : unit(arms.forth);
+    const Point direction = norm(mean) > 0 ? unitVector(mean) : unitVector(arms.forth);
     const Point at = curve.points.at(anchor);
     curve.points.set(arms.arriving, at - back * direction);
     curve.points.set(arms.leaving, at + forth * direction);

@@ -9,11 +9,11 @@
 namespace splineloft {
 namespace {
 
-constexpr int samplesPerPiece = 16;
+constexpr int waypointsPerPiece = 16;
 constexpr int mostRounds = 40; // of matching places and fitting
 
 /// A place that the merged piece should pass, and the parameter value at which it does so.
-struct Sample {
+struct Waypoint {
     Point place;
     double u;
 };
@@ -44,22 +44,22 @@ std::vector<double> intervalsOf(const Pieces& old, const std::vector<std::size_t
     return intervals;
 }
 
-std::vector<Sample> samplesOf(const Pieces& old, const std::vector<std::size_t>& pieces) {
+std::vector<Waypoint> waypointsOf(const Pieces& old, const std::vector<std::size_t>& pieces) {
     const auto intervals = intervalsOf(old, pieces);
     double whole = 0;
     for (const double interval : intervals) {
         whole += interval;
     }
-    std::vector<Sample> samples;
+    std::vector<Waypoint> waypoints;
     double start = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        for (int i = k == 0 ? 1 : 0; i < samplesPerPiece; ++i) {
-            const double u = static_cast<double>(i) / samplesPerPiece;
-            samples.push_back({old.position({pieces[k], u}), (start + u * intervals[k]) / whole});
+        for (int i = k == 0 ? 1 : 0; i < waypointsPerPiece; ++i) {
+            const double u = static_cast<double>(i) / waypointsPerPiece;
+            waypoints.push_back({old.position({pieces[k], u}), (start + u * intervals[k]) / whole});
         }
         start += intervals[k];
     }
-    return samples;
+    return waypoints;
 }
 
 /// The direction from an end of a piece, past Bézier points that lie on it.
@@ -84,9 +84,9 @@ struct Merged {
     }
 };
 
-std::optional<Merged> fitted(Merged merged, const std::vector<Sample>& samples) {
+std::optional<Merged> fitted(Merged merged, const std::vector<Waypoint>& waypoints) {
     std::vector<conversion::Row> rows;
-    for (const auto& [place, u] : samples) {
+    for (const auto& [place, u] : waypoints) {
         const double v = 1 - u;
         const double first = 3 * v * v * u;
         const double second = 3 * v * u * u;
@@ -103,10 +103,10 @@ std::optional<Merged> fitted(Merged merged, const std::vector<Sample>& samples) 
     return merged;
 }
 
-double squaresOf(const Merged& merged, const std::vector<Sample>& samples) {
+double squaresOf(const Merged& merged, const std::vector<Waypoint>& waypoints) {
     const auto p = merged.points();
     double sum = 0;
-    for (const auto& [place, u] : samples) {
+    for (const auto& [place, u] : waypoints) {
         const Point off = Ladder<Point>(p, u).tip() - place;
         sum += dot(off, off);
     }
@@ -114,9 +114,9 @@ double squaresOf(const Merged& merged, const std::vector<Sample>& samples) {
 }
 
 /// Lets each sample be met where the cubic is nearest to it: one step of Newton's.
-void match(const Merged& merged, std::vector<Sample>& samples) {
+void match(const Merged& merged, std::vector<Waypoint>& waypoints) {
     const auto p = merged.points();
-    for (auto& [place, u] : samples) {
+    for (auto& [place, u] : waypoints) {
         const auto ladder = Ladder<Point>(p, u);
         const Point off = ladder.tip() - place;
         const Point first = 3.0 * (ladder.level(2)[1] - ladder.level(2)[0]);
@@ -129,16 +129,16 @@ void match(const Merged& merged, std::vector<Sample>& samples) {
     }
 }
 
-std::optional<Merged> nearestTo(const Merged& ends, std::vector<Sample> samples) {
-    auto best = fitted(ends, samples);
+std::optional<Merged> nearestTo(const Merged& ends, std::vector<Waypoint> waypoints) {
+    auto best = fitted(ends, waypoints);
     if (!best) {
         return std::nullopt;
     }
-    double least = squaresOf(*best, samples);
+    double least = squaresOf(*best, waypoints);
     for (int round = 0; round < mostRounds; ++round) {
-        match(*best, samples);
-        const auto next = fitted(ends, samples);
-        const double squares = next ? squaresOf(*next, samples) : least;
+        match(*best, waypoints);
+        const auto next = fitted(ends, waypoints);
+        const double squares = next ? squaresOf(*next, waypoints) : least;
         if (!(squares < least * (1 - 1e-6))) {
             break;
         }
@@ -182,7 +182,7 @@ CurveEntry withFittedHandles(const Curve& old, const CurveEntry& left,
         const Piece last = pieces[merged.back()];
         const Merged ends = {first.bezierPoint(0), directionFrom(first, false), last.bezierPoint(3),
                              directionFrom(last, true)};
-        if (const auto found = nearestTo(ends, samplesOf(pieces, merged))) {
+        if (const auto found = nearestTo(ends, waypointsOf(pieces, merged))) {
             curve->points.set(anchor + 1, found->points()[1]);
             curve->points.set(anchor + 2, found->points()[2]);
             result.handleModes.erase(anchor);

@@ -126,7 +126,7 @@ Unknowns zeros(std::size_t count, int dimension) {
     return Unknowns(count, Point(dimension));
 }
 
-double product(const Unknowns& a, const Unknowns& b) {
+double scalarProduct(const Unknowns& a, const Unknowns& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         sum += dot(a[i], b[i]);
@@ -152,7 +152,7 @@ Unknowns leastSquares(const std::vector<Equation>& equations, std::size_t count,
     };
     Unknowns gradient = gathered();
     Unknowns direction = gradient;
-    double size = product(gradient, gradient);
+    double size = scalarProduct(gradient, gradient);
     const double enough = 1e-26 * size;
     for (std::size_t step = 0; step < 4 * count * static_cast<std::size_t>(dimension) + 8; ++step) {
         std::vector<Point> images;
@@ -176,7 +176,7 @@ Unknowns leastSquares(const std::vector<Equation>& equations, std::size_t count,
             residuals[i] -= length * images[i];
         }
         gradient = gathered();
-        const double next = product(gradient, gradient);
+        const double next = scalarProduct(gradient, gradient);
         for (std::size_t i = 0; i < count; ++i) {
             direction[i] = gradient[i] + (next / size) * direction[i];
         }

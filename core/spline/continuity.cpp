@@ -1,8 +1,8 @@
 #include "core/spline/continuity.h"
 
+#include "core/spline/digits.h"
+
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -35,14 +35,6 @@ double roundingAt(double farthest) {
     return 64 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
-Point unit(const Point& p) {
-    const double length = norm(p);
-    if (length > 0 && length < std::numeric_limits<double>::min()) {
-        return unit(0x1p200 * p); // 1 / length would overflow
-    }
-    return length > 0 ? (1 / length) * p : p;
-}
-
 /// The direction in which a piece leaves its start or reaches its end: toward the first Bézier
 /// point that differs from the end itself by more than rounding.
 Point limitDirection(const Piece& piece, bool atEnd, double rounding) {
@@ -50,7 +42,7 @@ Point limitDirection(const Piece& piece, bool atEnd, double rounding) {
     for (int k = 1; k <= piece.degree; ++k) {
         const Point toward = piece.bezierPoint(atEnd ? piece.degree - k : k) - end;
         if (norm(toward) > rounding) {
-            return unit(atEnd ? -1.0 * toward : toward);
+            return unitVector(atEnd ? -1.0 * toward : toward);
         }
     }
     return Point(piece.dimension);
@@ -71,7 +63,7 @@ Side sideOf(const Pieces& pieces, std::size_t segment, bool atEnd) {
     const double rounding = roundingAt(side.farthest);
     side.moving =
         side.speed * side.interval > derivativeTolerance * side.size + piece.degree * rounding;
-    side.direction = side.moving ? unit(jet.first) : limitDirection(piece, atEnd, rounding);
+    side.direction = side.moving ? unitVector(jet.first) : limitDirection(piece, atEnd, rounding);
     if (side.moving) {
         const Point across = jet.second - dot(jet.second, side.direction) * side.direction;
         side.curvature = (1 / side.speed) * ((1 / side.speed) * across);
@@ -127,27 +119,16 @@ Joint compare(const Side& before, const Side& after, int degree) {
     return joint;
 }
 
-/// Three digits, without an exponent up to a million.
-std::string rounded(double value) {
-    const bool large = std::abs(value) >= 1000 && std::abs(value) < 1e6;
-    std::array<char, 32> text{};
-    const auto end = large ? std::to_chars(text.data(), text.data() + text.size(), value,
-                                           std::chars_format::fixed, 0)
-                           : std::to_chars(text.data(), text.data() + text.size(), value,
-                                           std::chars_format::general, 3);
-    return {text.data(), end.ptr};
-}
-
 /// How the speed changes: as a factor, or in percent where the factor would read as 1.
 std::string speedWords(const Joint& joint) {
     const double percent = 100 * (joint.speedRatio - 1);
     if (std::abs(percent) >= 1) {
-        return "the speed changes by the factor " + rounded(joint.speedRatio);
+        return "the speed changes by the factor " + threeDigits(joint.speedRatio);
     }
     return percent == 0 || joint.atRest
-               ? "the first derivative jumps by " + rounded(joint.firstJump)
+               ? "the first derivative jumps by " + threeDigits(joint.firstJump)
                : "the speed " + std::string(percent > 0 ? "grows" : "falls") + " by " +
-                     rounded(std::abs(percent)) + " %";
+                     threeDigits(std::abs(percent)) + " %";
 }
 
 } // namespace
@@ -171,11 +152,11 @@ std::vector<Joint> jointsOf(const Pieces& pieces, bool closed) {
 }
 
 std::string describe(const Joint& joint) {
-    const std::string degrees = rounded(joint.turn * 180 / std::numbers::pi) + "°";
+    const std::string degrees = threeDigits(joint.turn * 180 / std::numbers::pi) + "°";
     const std::string speed = speedWords(joint);
-    const std::string second = "the second derivative jumps by " + rounded(joint.secondJump);
+    const std::string second = "the second derivative jumps by " + threeDigits(joint.secondJump);
     if (joint.c < 0) {
-        return "broken: a gap of " + rounded(joint.gap);
+        return "broken: a gap of " + threeDigits(joint.gap);
     }
     if (joint.g == 0) {
         const bool back = std::numbers::pi - joint.turn < directionTolerance;
@@ -193,7 +174,7 @@ std::string describe(const Joint& joint) {
     }
     return joint.c == 1 ? "C¹: " + second
                         : "G¹, not C¹: " + speed + ", the curvature jumps by " +
-                              rounded(joint.curvatureJump);
+                              threeDigits(joint.curvatureJump);
 }
 
 bool readAlike(const Joint& a, const Joint& b) {

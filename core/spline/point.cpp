@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace splineloft {
@@ -82,6 +83,18 @@ double norm(const Point& p) {
         sum += (x / largest) * (x / largest);
     }
     return largest * std::sqrt(sum);
+}
+
+Point unitVector(const Point& p) {
+    const double length = norm(p);
+    if (length > 0 && length < std::numeric_limits<double>::min()) {
+        return unitVector(0x1p200 * p); // 1 / length would overflow
+    }
+    return length > 0 ? (1 / length) * p : p;
+}
+
+bool isFinite(const Point& p) {
+    return std::ranges::all_of(p.coordinates(), [](double x) { return std::isfinite(x); });
 }
 
 double distance(const Point& a, const Point& b) {

@@ -49,6 +49,10 @@ Point operator*(double factor, Point p);
 double dot(const Point& a, const Point& b);
 /// Euclidean length; neither overflows nor underflows before the result does.
 double norm(const Point& p);
+/// The same direction with length 1, however short p is; the origin stays the origin.
+Point unitVector(const Point& p);
+/// Whether every coordinate is a finite number.
+bool isFinite(const Point& p);
 /// Distance of two places.
 double distance(const Point& a, const Point& b);
 

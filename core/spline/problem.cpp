@@ -2,10 +2,9 @@
 
 #include "core/spline/algebra/scale.h"
 #include "core/spline/catalog.h"
+#include "core/spline/digits.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <span>
 
@@ -19,12 +18,6 @@ constexpr double mostKnot = 1e300;
 
 // Longest key spelled out in a JSON pointer, in bytes.
 constexpr std::size_t longestToken = 80;
-
-std::string shortest(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
 
 std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -48,9 +41,9 @@ std::optional<Problem> valueProblem(const Parameter& parameter, double value,
     if (value >= parameter.least && value <= parameter.most && whole) {
         return std::nullopt;
     }
-    return Problem{place, "is " + shortest(value),
+    return Problem{place, "is " + allDigits(value),
                    std::string(parameter.scale == Scale::whole ? "a whole number" : "a number") +
-                       " from " + shortest(parameter.least) + " to " + shortest(parameter.most)};
+                       " from " + allDigits(parameter.least) + " to " + allDigits(parameter.most)};
 }
 
 std::optional<Problem> parameterProblem(const Spline& spline, const Family& family) {
@@ -119,8 +112,8 @@ std::optional<Problem> weightsProblem(const Spline& spline, const Family& family
     if (bad == weights.end()) {
         return std::nullopt;
     }
-    return Problem{"/weights/" + std::to_string(bad - weights.begin()), "is " + shortest(*bad),
-                   "a number from " + shortest(leastWeight) + " to " + shortest(mostWeight)};
+    return Problem{"/weights/" + std::to_string(bad - weights.begin()), "is " + allDigits(*bad),
+                   "a number from " + allDigits(leastWeight) + " to " + allDigits(mostWeight)};
 }
 
 /// What is wrong with the order of the knots, each of which may stand `most` times.
@@ -129,18 +122,18 @@ std::optional<Problem> orderProblem(std::span<const double> knots, std::size_t m
     for (std::size_t i = 0; i < knots.size(); ++i) {
         const auto place = [i] { return "/knots/" + std::to_string(i); };
         if (!(std::abs(knots[i]) <= mostKnot)) {
-            return Problem{place(), "is " + shortest(knots[i]),
-                           "a number from " + shortest(-mostKnot) + " to " + shortest(mostKnot)};
+            return Problem{place(), "is " + allDigits(knots[i]),
+                           "a number from " + allDigits(-mostKnot) + " to " + allDigits(mostKnot)};
         }
         if (i > 0 && knots[i] < knots[i - 1]) {
             return Problem{place(),
-                           "falls from " + shortest(knots[i - 1]) + " to " + shortest(knots[i]),
+                           "falls from " + allDigits(knots[i - 1]) + " to " + allDigits(knots[i]),
                            "knots that never fall"};
         }
         times = i > 0 && knots[i] == knots[i - 1] ? times + 1 : 1;
         if (times > most) {
             return Problem{place(),
-                           shortest(knots[i]) + " stands more than " + counted(most, "time"),
+                           allDigits(knots[i]) + " stands more than " + counted(most, "time"),
                            "each knot at most " + counted(most, "time")};
         }
     }
@@ -215,8 +208,8 @@ std::optional<Problem> tableProblem(const PointsView& table, int dimension, doub
             }
             const bool finite = std::isfinite(value);
             return Problem{place + pointerToken(i) + pointerToken(static_cast<std::size_t>(c)),
-                           finite ? "is " + shortest(value) : "is not a finite number",
-                           finite ? "a number from " + shortest(-most) + " to " + shortest(most)
+                           finite ? "is " + allDigits(value) : "is not a finite number",
+                           finite ? "a number from " + allDigits(-most) + " to " + allDigits(most)
                                   : "a finite number"};
         }
     }
@@ -329,6 +322,13 @@ std::optional<Problem> placesProblem(const Spline& spline, const PointsView& poi
 std::optional<Problem> problemOf(const Curve& curve) {
     const auto problem = problemOf(curve, PointsView(curve.points), PointsView(curve.tangents));
     return problem ? problem : namesProblem(curve.coordinates, curve.points.dimension());
+}
+
+std::variant<Curve, Problem> checked(Curve curve) {
+    if (auto problem = problemOf(curve)) {
+        return *problem;
+    }
+    return curve;
 }
 
 } // namespace splineloft

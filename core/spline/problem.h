@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 namespace splineloft {
 
@@ -31,5 +32,8 @@ std::optional<Problem> placesProblem(const Spline& spline, const PointsView& poi
 
 /// The same as the first of a curve and the names of its coordinates.
 std::optional<Problem> problemOf(const Curve& curve);
+
+/// The curve where nothing is wrong with it, else the first thing that is.
+std::variant<Curve, Problem> checked(Curve curve);
 
 } // namespace splineloft

@@ -23,7 +23,7 @@ double number(const json& text) {
     return value;
 }
 
-Points table(const json& rows) {
+Points tableOf(const json& rows) {
     Points points(static_cast<int>(rows.front().size()));
     for (const auto& row : rows) {
         points.append(Point(row.get<std::vector<double>>()));
@@ -44,9 +44,9 @@ Curve curveOf(const json& item) {
     Curve curve;
     curve.family = item["family"];
     curve.parameters = item["parameters"].get<std::map<std::string, double>>();
-    curve.points = table(item["points"]);
+    curve.points = tableOf(item["points"]);
     if (item.contains("tangents")) {
-        curve.tangents = table(item["tangents"]);
+        curve.tangents = tableOf(item["tangents"]);
     }
     curve.coordinates.clear();
     for (int i = 0; i < curve.points.dimension(); ++i) {

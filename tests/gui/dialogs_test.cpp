@@ -34,18 +34,9 @@ class Folder {
     fs::path path_;
 };
 
-Document plain() {
-    return documentOf({curveOf("cardinal")});
-}
-
 void change(Driver& driver) {
     driver.drag(driver.atPoint(3), driver.at({2, 2}));
     ASSERT_TRUE(driver.session.unsaved());
-}
-
-template <class Wanted> const Wanted* lastRequest(const Driver& driver) {
-    const auto& all = driver.session.requests;
-    return all.empty() ? nullptr : std::get_if<Wanted>(&all.back());
 }
 
 template <class Wanted> bool shows(const Driver& driver) {

@@ -91,6 +91,12 @@ class Driver {
     double fontScale_ = 0; // of the fonts that are loaded
 };
 
+/// What was asked of the program last, if that was a `Wanted`.
+template <class Wanted> const Wanted* lastRequest(const Driver& driver) {
+    const auto& all = driver.session.requests;
+    return all.empty() ? nullptr : std::get_if<Wanted>(&all.back());
+}
+
 /// The places where DejaVu Sans, the font of the program, is usually installed.
 Fonts testFonts();
 

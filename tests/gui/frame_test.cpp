@@ -12,10 +12,6 @@
 namespace splineloft::ui {
 namespace {
 
-Document plain() {
-    return documentOf({curveOf("cardinal")});
-}
-
 TEST(Canvas, aDragThatArrivesInOneGoIsADrag) {
     Driver driver(plain());
     const ScreenPoint from = driver.atPoint(3);

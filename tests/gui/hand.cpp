@@ -64,6 +64,10 @@ Curve curveOf(std::string_view family, int dimension) {
     return curve;
 }
 
+Document plain() {
+    return documentOf({curveOf("cardinal")});
+}
+
 Document documentOf(std::initializer_list<Curve> curves) {
     Document document;
     for (const auto& curve : curves) {

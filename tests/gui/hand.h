@@ -22,6 +22,8 @@ Curve curveOf(std::string_view family, bool closed = false);
 Curve curveOf(std::string_view family, int dimension);
 
 Document documentOf(std::initializer_list<Curve> curves);
+/// A document of one open cardinal spline.
+Document plain();
 
 /// How far apart two documents' tables of points lie at most; infinite where sizes differ.
 double farthest(const Points& a, const Points& b);

@@ -7,6 +7,8 @@
 #include "core/spline/catalog.h"
 #include "ui/canvas/illustrate.h"
 
+#include "tests/gui/usual_frame.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +17,6 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr ScreenRect frame{46, 32, 922, 532};
 constexpr double markRadius = 7;
 
 TextSize measured(const SceneLabel& label) {
@@ -46,7 +47,7 @@ Scene sceneOf(const Hand& hand, const View& view) {
     const Situation situation{hand.session.history.settled(),
                               hand.session.history.live(),
                               hand.session.studies,
-                              {view.camera, frame},
+                              {view.camera, usualFrame},
                               1};
     return illustrate(view, hand.session.gesture, situation);
 }
@@ -60,7 +61,7 @@ TEST(LabelLaws, noneLiesOnAnotherAtAnyZoomOfAnyFamily) {
             for (const double u : {0.0, 0.3, 1.0}) {
                 view.cursor.u = u;
                 const Scene scene = sceneOf(hand, view);
-                expectTidy(placeLabels(scene, measured, markRadius), frame,
+                expectTidy(placeLabels(scene, measured, markRadius), usualFrame,
                            std::string(family.id) + " at zoom " + std::to_string(zoom));
             }
         }
@@ -71,7 +72,7 @@ TEST(LabelLaws, noneLiesOnAnotherHoweverTheyCrowd) {
     std::mt19937 random(7);
     for (const double room : {5.0, 60.0, 400.0}) {
         Scene scene;
-        scene.frame = frame;
+        scene.frame = usualFrame;
         std::uniform_real_distribution<double> spread(0, room);
         for (int i = 0; i < 120; ++i) {
             const ScreenPoint at{400 + spread(random), 200 + spread(random)};
@@ -82,7 +83,7 @@ TEST(LabelLaws, noneLiesOnAnotherHoweverTheyCrowd) {
             label.noted = i % 11 == 0;
             scene.labels.push_back(label);
         }
-        expectTidy(placeLabels(scene, measured, markRadius), frame, std::to_string(room));
+        expectTidy(placeLabels(scene, measured, markRadius), usualFrame, std::to_string(room));
     }
 }
 
@@ -124,7 +125,7 @@ TEST(LabelLaws, aWeightIsTheNoteOfAPointThatIsTouched) {
     EXPECT_EQ(notes(), (std::vector<std::string>{"P_2 · w 2.5"}));
     view.selection = {{0, 4}, {0, 5}};
     EXPECT_EQ(notes(), (std::vector<std::string>{"P_2 · w 2.5", "P_4 · w 0.125", "P_5 · w 1"}));
-    expectTidy(placeLabels(sceneOf(hand, view), measured, markRadius), frame, "weights");
+    expectTidy(placeLabels(sceneOf(hand, view), measured, markRadius), usualFrame, "weights");
     curve.weights.clear();
     hand = Hand(documentOf({curve}));
     EXPECT_TRUE(notes().empty()) << "where all weigh the same there is nothing to say";
@@ -132,7 +133,7 @@ TEST(LabelLaws, aWeightIsTheNoteOfAPointThatIsTouched) {
 
 TEST(LabelLaws, aFixedLabelStaysOrGoes) {
     Scene scene;
-    scene.frame = frame;
+    scene.frame = usualFrame;
     SceneLabel number{"10", {100, 100}, 0, {Role::gridNumber}};
     number.fixed = true;
     scene.labels = {number, number};

@@ -6,6 +6,8 @@
 
 #include "core/spline/catalog.h"
 
+#include "tests/gui/usual_frame.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +15,6 @@
 
 namespace splineloft::ui {
 namespace {
-
-constexpr ScreenRect frame{46, 32, 922, 532};
 
 double distanceTo(const std::vector<ScreenPoint>& line, ScreenPoint p) {
     double best = INFINITY;
@@ -37,13 +37,13 @@ TEST(OutlineLaws, itIsWithinATenthOfAPixelOfTheCurve) {
         const Pieces pieces = piecesOf(curveOf(family.id));
         for (const double zoom : {20.0, 100.0, 4000.0}) {
             const Point middle = pieces.position({pieces.size() / 2, 0.4});
-            const Viewport viewport{{{middle[0], middle[1]}, zoom}, frame};
+            const Viewport viewport{{{middle[0], middle[1]}, zoom}, usualFrame};
             const auto line = outline(pieces, viewport);
             for (std::size_t i = 0; i < pieces.size(); ++i) {
                 for (int k = 0; k <= 400; ++k) {
                     const Point p = pieces.position({i, k / 400.0});
                     const ScreenPoint at = viewport.toScreen({p[0], p[1]});
-                    if (frame.contains(at)) {
+                    if (usualFrame.contains(at)) {
                         ASSERT_LE(distanceTo(line, at), 0.1) << family.id << " at zoom " << zoom;
                     }
                 }
@@ -58,10 +58,11 @@ TEST(OutlineLaws, atAnyZoomItIsShortAndTrue) {
         for (const double zoom : {1e-6, 1e5, 1e7, 1e9}) {
             const Spot spot{pieces.size() / 2, 0.4};
             const Point middle = pieces.position(spot);
-            const Viewport viewport{{{middle[0], middle[1]}, zoom}, frame};
+            const Viewport viewport{{{middle[0], middle[1]}, zoom}, usualFrame};
             const auto line = outline(pieces, viewport);
             EXPECT_LE(line.size(), 400U) << family.id << " at zoom " << zoom;
-            const ScreenPoint centre{frame.left + frame.width / 2, frame.top + frame.height / 2};
+            const ScreenPoint centre{usualFrame.left + usualFrame.width / 2,
+                                     usualFrame.top + usualFrame.height / 2};
             EXPECT_LE(distanceTo(line, centre), 0.1 + 1e-15 * zoom * 4)
                 << family.id << " at zoom " << zoom;
         }
@@ -71,7 +72,7 @@ TEST(OutlineLaws, atAnyZoomItIsShortAndTrue) {
 TEST(OutlineLaws, piecesFollowOneAnotherWithoutABreak) {
     for (const auto& family : catalog()) {
         const Pieces pieces = piecesOf(curveOf(family.id));
-        const Viewport viewport{{{0, 0}, 100}, frame};
+        const Viewport viewport{{{0, 0}, 100}, usualFrame};
         const auto line = outline(pieces, viewport);
         ASSERT_GT(line.size(), pieces.size()) << family.id;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -87,7 +88,7 @@ TEST(OutlineLaws, whatIsOutOfSightIsOneLineAPiece) {
         curve.points.append(Point{100 + std::sin(0.7 * i), std::cos(1.3 * i)});
     }
     const Pieces pieces = piecesOf(curve);
-    const auto line = outline(pieces, {{{1e4, 0}, 100}, frame});
+    const auto line = outline(pieces, {{{1e4, 0}, 100}, usualFrame});
     EXPECT_EQ(line.size(), pieces.size() + 1);
 }
 
@@ -98,7 +99,7 @@ TEST(OutlineLaws, wildCurvesStayBounded) {
         for (int i = 0; i < 100; ++i) {
             curve.points.append(Point{size * std::sin(17.0 * i), size * std::cos(29.0 * i)});
         }
-        const auto line = outline(piecesOf(curve), {{{0, 0}, 1e3 / size}, frame});
+        const auto line = outline(piecesOf(curve), {{{0, 0}, 1e3 / size}, usualFrame});
         EXPECT_LE(line.size(), 20'000U) << size;
         EXPECT_TRUE(std::ranges::all_of(
             line, [](ScreenPoint p) { return std::isfinite(p.x) && std::isfinite(p.y); }));
@@ -115,9 +116,10 @@ TEST(OutlineLaws, aCurveThatIsAPointIsAPoint) {
             }
         }
         const Pieces pieces = piecesOf(curve);
-        EXPECT_LE(outline(pieces, {{{1, 1}, 1e9}, frame}).size(), pieces.size() + 1) << family.id;
+        EXPECT_LE(outline(pieces, {{{1, 1}, 1e9}, usualFrame}).size(), pieces.size() + 1)
+            << family.id;
     }
-    EXPECT_TRUE(outline(Pieces(), {{{1, 1}, 80}, frame}).empty());
+    EXPECT_TRUE(outline(Pieces(), {{{1, 1}, 80}, usualFrame}).empty());
 }
 
 } // namespace

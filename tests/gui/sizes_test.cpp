@@ -13,10 +13,6 @@
 namespace splineloft::ui {
 namespace {
 
-Document plain() {
-    return documentOf({curveOf("cardinal")});
-}
-
 /// The middle of an edge between panels.
 ScreenPoint besideInspector(const Driver& driver) {
     return {driver.session.canvas.right(), driver.session.canvas.top + 200};

@@ -20,11 +20,6 @@ Widget inOffer(const std::string& id, const std::string& label) {
     return {"###dialog/work", {id, label}};
 }
 
-template <class Wanted> const Wanted* lastRequest(const Driver& driver) {
-    const auto& all = driver.session.requests;
-    return all.empty() ? nullptr : std::get_if<Wanted>(&all.back());
-}
-
 bool offers(const Driver& driver) {
     return driver.session.dialog && std::holds_alternative<RecoveryOffer>(*driver.session.dialog);
 }

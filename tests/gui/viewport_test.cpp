@@ -7,6 +7,8 @@
 
 #include "core/spline/catalog.h"
 
+#include "tests/gui/usual_frame.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,12 +16,10 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr ScreenRect frame{46, 32, 922, 532};
-
 TEST(ViewportLaws, thereAndBackIsTheSamePixel) {
     for (const double zoom : {1e-7, 0.3, 80.0, 1e5, 1e9}) {
         for (const PlanePoint centre : {PlanePoint{0, 0}, {3.7, -1e3}, {-8e4, 5}}) {
-            const Viewport viewport{{centre, zoom}, frame};
+            const Viewport viewport{{centre, zoom}, usualFrame};
             for (const ScreenPoint p :
                  {ScreenPoint{46, 32}, {500.5, 298}, {967, 563}, {-50, 2000}}) {
                 const ScreenPoint back = viewport.toScreen(viewport.toPlane(p));
@@ -32,13 +32,13 @@ TEST(ViewportLaws, thereAndBackIsTheSamePixel) {
 }
 
 TEST(ViewportLaws, upIsUp) {
-    const Viewport viewport{{{0, 0}, 80}, frame};
+    const Viewport viewport{{{0, 0}, 80}, usualFrame};
     EXPECT_LT(viewport.toScreen({0, 1}).y, viewport.toScreen({0, 0}).y);
     EXPECT_GT(viewport.toScreen({1, 0}).x, viewport.toScreen({0, 0}).x);
 }
 
 TEST(ViewportLaws, zoomingKeepsWhatIsUnderThePointer) {
-    Viewport viewport{{{2, -3}, 80}, frame};
+    Viewport viewport{{{2, -3}, 80}, usualFrame};
     const ScreenPoint at{111, 444};
     const PlanePoint held = viewport.toPlane(at);
     for (int i = 0; i < 200; ++i) {
@@ -51,7 +51,7 @@ TEST(ViewportLaws, zoomingKeepsWhatIsUnderThePointer) {
 }
 
 TEST(ViewportLaws, zoomHasEnds) {
-    Viewport viewport{{{2, -3}, 80}, frame};
+    Viewport viewport{{{2, -3}, 80}, usualFrame};
     for (const double factor : {1e300, 1e-300, 1e300}) {
         viewport.camera = zoomed(viewport, {111, 444}, factor);
         EXPECT_TRUE(std::isfinite(viewport.camera.centre.x));
@@ -60,7 +60,7 @@ TEST(ViewportLaws, zoomHasEnds) {
 }
 
 TEST(ViewportLaws, panningMovesThePlaneByPixels) {
-    Viewport viewport{{{2, -3}, 123}, frame};
+    Viewport viewport{{{2, -3}, 123}, usualFrame};
     const PlanePoint held = viewport.toPlane(ScreenPoint{300, 300});
     viewport.camera = panned(viewport.camera, 17, -40);
     EXPECT_NEAR(viewport.toScreen(held).x, 317, 1e-9);
@@ -72,13 +72,13 @@ TEST(ViewportLaws, fittingShowsTheBoxWithItsMargin) {
         {{-1, -1}, {1, 1}},       {{5, 7}, {5, 9}},           {{5, 7}, {9, 7}},
         {{1e9, 1e9}, {1e9, 1e9}}, {{-1e9, -1e9}, {1e9, 1e9}}, {{0, 0}, {1e-9, 1e-9}}};
     for (const auto& [low, high] : boxes) {
-        const Viewport viewport{fitted(low, high, frame, 72), frame};
+        const Viewport viewport{fitted(low, high, usualFrame, 72), usualFrame};
         for (const auto& corner : {low, high}) {
             const ScreenPoint p = viewport.toScreen(corner);
-            EXPECT_GE(p.x, frame.left + 72 - 1e-3) << low.x << " " << high.x;
-            EXPECT_LE(p.x, frame.right() - 72 + 1e-3) << low.x << " " << high.x;
-            EXPECT_GE(p.y, frame.top + 72 - 1e-3) << low.y << " " << high.y;
-            EXPECT_LE(p.y, frame.bottom() - 72 + 1e-3) << low.y << " " << high.y;
+            EXPECT_GE(p.x, usualFrame.left + 72 - 1e-3) << low.x << " " << high.x;
+            EXPECT_LE(p.x, usualFrame.right() - 72 + 1e-3) << low.x << " " << high.x;
+            EXPECT_GE(p.y, usualFrame.top + 72 - 1e-3) << low.y << " " << high.y;
+            EXPECT_LE(p.y, usualFrame.bottom() - 72 + 1e-3) << low.y << " " << high.y;
         }
     }
 }
@@ -140,9 +140,9 @@ TEST(ViewportLaws, flattenedCurvesPassWhereTheirPointsAreDrawn) {
 TEST(GridLaws, linesAreBoundedAndTheirNumbersTrueAtAnyZoom) {
     for (const double zoom : {1e-8, 1.0, 80.0, 1e6, 1e12}) {
         for (const double away : {0.0, 1.0, 1e6, 1e9}) {
-            const Viewport viewport{{{away, -away}, zoom}, frame};
+            const Viewport viewport{{{away, -away}, zoom}, usualFrame};
             Scene scene;
-            scene.frame = frame;
+            scene.frame = usualFrame;
             drawGrid(scene, viewport, 1);
             EXPECT_LE(scene.strokes.size(), 2U * (922 + 532) / 16 + 8) << zoom << " " << away;
             for (const auto& stroke : scene.strokes) {

@@ -24,7 +24,7 @@ json answer(const std::vector<std::string>& arguments, const std::string& docume
     return ran.exitCode() == 0 ? json::parse(ran.out) : json();
 }
 
-double number(const json& digits) {
+double numberIn(const json& digits) {
     const auto& text = digits.get_ref<const std::string&>();
     double value = 0;
     std::from_chars(text.data(), text.data() + text.size(), value);
@@ -34,7 +34,7 @@ double number(const json& digits) {
 void expectNear(const json& ours, const json& wanted, double tolerance, const std::string& where) {
     ASSERT_EQ(ours.size(), wanted.size()) << where;
     for (std::size_t i = 0; i < ours.size(); ++i) {
-        EXPECT_NEAR(ours[i].get<double>(), number(wanted[i]), tolerance) << where << ", " << i;
+        EXPECT_NEAR(ours[i].get<double>(), numberIn(wanted[i]), tolerance) << where << ", " << i;
     }
 }
 
@@ -213,24 +213,24 @@ TEST(BrokenSpline, isMeasuredAsBroken) {
                 1e-14);
 }
 
-// Knots of uneven spacing, of multiplicity 2 at 4, with t from 1 to 9.
-const std::string uneven = R"({"family": "b-spline", "ends": "none",
+// Knots of unevenKnots spacing, of multiplicity 2 at 4, with t from 1 to 9.
+const std::string unevenKnots = R"({"family": "b-spline", "ends": "none",
     "knots": [-2, 0, 0.5, 1, 4, 4, 7, 9, 9.5, 11, 12],
     "points": [[1, 1], [2, 5], [4, 2], [5, 7], [8, 6], [9, -1], [3, 3]]})";
 
 TEST(OwnKnots, convertToBezierPointsOfTheSameShape) {
     const auto out =
         fs::temp_directory_path() / ("splineloft-knots-" + std::to_string(::getpid()) + ".json");
-    ASSERT_EQ(
-        run({"convert", "-", "--family", "bezier-spline", "-o", out}, curves(uneven)).exitCode(),
-        0);
+    ASSERT_EQ(run({"convert", "-", "--family", "bezier-spline", "-o", out}, curves(unevenKnots))
+                  .exitCode(),
+              0);
     for (const std::string segment : {"0", "1", "2"}) {
         const std::vector<std::string> spots = {"--segment", segment, "--u", "0,0.25,0.7,1"};
         auto before = std::vector<std::string>{"eval", "-"};
         auto after = std::vector<std::string>{"eval", out};
         before.insert(before.end(), spots.begin(), spots.end());
         after.insert(after.end(), spots.begin(), spots.end());
-        const auto was = answer(before, curves(uneven));
+        const auto was = answer(before, curves(unevenKnots));
         const auto is = answer(after, "");
         for (std::size_t i = 0; i < was.size(); ++i) {
             for (const std::size_t c : {0u, 1u}) {
@@ -239,7 +239,7 @@ TEST(OwnKnots, convertToBezierPointsOfTheSameShape) {
         }
     }
     fs::remove(out);
-    const auto joints = answer({"measure", "-"}, curves(uneven))["joints"];
+    const auto joints = answer({"measure", "-"}, curves(unevenKnots))["joints"];
     ASSERT_EQ(joints.size(), 2u);
     EXPECT_EQ(joints[0]["t"], 4);
     EXPECT_EQ(joints[0]["c"], 1) << "a double knot costs one derivative";
@@ -248,7 +248,7 @@ TEST(OwnKnots, convertToBezierPointsOfTheSameShape) {
 }
 
 TEST(OwnKnots, areRefusedWithTheirPlace) {
-    auto bad = json::parse(uneven);
+    auto bad = json::parse(unevenKnots);
     bad["knots"][5] = 3.5;
     const auto ran = run({"eval", "-", "--t", "2"}, curves(bad.dump()));
     EXPECT_EQ(ran.exitCode(), 1);

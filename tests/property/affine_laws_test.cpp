@@ -1,5 +1,6 @@
 // Moving, turning and stretching the control points moves, turns and stretches the curve. All maps
 // used here take the points exactly to points, so that what differs is the curve's own rounding.
+#include "core/spline/algebra/scale.h"
 #include "tests/property/random_curves.h"
 
 #include <cmath>
@@ -7,9 +8,6 @@
 
 namespace splineloft::testing_curves {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr int rounds = 24;
 
 class Affine : public EveryFamily {};
 
@@ -63,7 +61,7 @@ void expectCommutes(const Curve& curve, Map map, const Point& shift, double grow
 }
 
 TEST_P(Affine, weightsSumToOne) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const BlendPieces blends = blendsOf(curve);
         const double tolerance = 8 * (blends.degree() + 5) * epsilon * amplification(blends);
         for (std::size_t i = 0; i < blends.size(); ++i) {
@@ -76,7 +74,7 @@ TEST_P(Affine, weightsSumToOne) {
 }
 
 TEST_P(Affine, movesWithItsPoints) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         Dice dice(curve.points.size());
         const Point shift = dice.pointOnGrid(curve.points.dimension(), 1000);
         expectCommutes(curve, [](const Point& p) { return p; }, shift, 1);
@@ -84,13 +82,13 @@ TEST_P(Affine, movesWithItsPoints) {
 }
 
 TEST_P(Affine, turnsAndGrowsWithItsPoints) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         expectCommutes(curve, turned, Point(curve.points.dimension()), 7); // 3 + 4
     });
 }
 
 TEST_P(Affine, shearsWithItsPoints) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         if (!knotsFollowPoints(curve)) {
             expectCommutes(curve, sheared, Point(curve.points.dimension()), 3);
         }
@@ -98,7 +96,7 @@ TEST_P(Affine, shearsWithItsPoints) {
 }
 
 TEST_P(Affine, doublesExactly) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         if (knotsFollowPoints(curve)) {
             return; // powers of chords round
         }
@@ -112,7 +110,7 @@ TEST_P(Affine, doublesExactly) {
 }
 
 TEST_P(Affine, splinesEachCoordinateByItself) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         if (knotsFollowPoints(curve)) {
             return; // the chords of one coordinate are others
         }

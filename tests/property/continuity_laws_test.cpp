@@ -10,8 +10,6 @@
 namespace splineloft::testing_curves {
 namespace {
 
-constexpr int rounds = 24;
-
 class Continuity : public EveryFamily {};
 
 /// Difference number `order` of the Bézier points at one end of a piece: its derivative of that
@@ -57,7 +55,7 @@ struct Slack {
 };
 
 TEST_P(Continuity, piecesMeet) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Slack slack(curve);
         forEachJoint(curve, [&](const BothSides& s) {
             expectNear(s.before.position, s.after.position, 2 * slack.position, "position");
@@ -82,7 +80,7 @@ void expectC2(const Curve& curve) {
 }
 
 TEST(ContinuityOf, bSplinesOfDegreeDIsAllDerivativesBelowD) {
-    forEveryForm("b-spline", 4 * rounds, [](const Curve& curve) {
+    forEveryForm("b-spline", 4 * usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         const auto n = pieces.size();
         double rounding = roundingOf(curve, blendsOf(curve));
@@ -119,16 +117,16 @@ TEST(ContinuityOf, bSplinesOfDegreeDBreaksInDerivativeD) {
 
 TEST(ContinuityOf, tangentFamiliesIsC1) {
     for (const auto* family : {"cardinal", "catmull-rom", "hermite"}) {
-        forEveryForm(family, rounds, expectC1);
+        forEveryForm(family, usualRounds, expectC1);
     }
 }
 
 TEST(ContinuityOf, naturalIsC2) {
-    forEveryForm("natural", 4 * rounds, expectC2);
+    forEveryForm("natural", 4 * usualRounds, expectC2);
 }
 
 TEST(ContinuityOf, naturalHasNoSecondDerivativeAtItsFreeEnds) {
-    forEveryForm("natural", 4 * rounds, [](const Curve& curve) {
+    forEveryForm("natural", 4 * usualRounds, [](const Curve& curve) {
         if (curve.closed) {
             return;
         }
@@ -144,7 +142,7 @@ TEST(ContinuityOf, naturalHasNoSecondDerivativeAtItsFreeEnds) {
 }
 
 TEST(ContinuityOf, duffIsC1AndG2ButNotC2) {
-    forEveryForm("duff", rounds, [](const Curve& curve) {
+    forEveryForm("duff", usualRounds, [](const Curve& curve) {
         expectC1(curve);
         // Its second derivative jumps along the tangent by the tension of the beta-spline that it
         // is.
@@ -162,7 +160,7 @@ TEST(ContinuityOf, duffIsC1AndG2ButNotC2) {
 }
 
 TEST(ContinuityOf, betaJumpsAsBarskySays) {
-    forEveryForm("beta", 4 * rounds, [](const Curve& curve) {
+    forEveryForm("beta", 4 * usualRounds, [](const Curve& curve) {
         const double b1 = curve.parameters.at("bias");
         const double b2 = curve.parameters.at("tension");
         const Slack slack(curve);
@@ -261,7 +259,7 @@ TEST(ContinuityOf, betaHasTheSpeedRatioOfItsBias) {
 
 /// Continuity by the parameter of a moving curve is continuity of its shape.
 TEST_P(Continuity, whatIsSmoothByParameterIsSmoothInShape) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         for (const auto& joint : jointsOf(pieces, curve.closed)) {
             const bool moving = norm(pieces.jet({joint.before, 1}).first) > 1e-6 &&

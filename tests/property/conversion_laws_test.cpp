@@ -183,7 +183,7 @@ TEST(Identities, areFoundBothWays) {
 }
 
 /// A curve with a value of each parameter at each control point, of 1 to 4 coordinates.
-Curve withLocalValues(const testing_curves::Form& form, std::uint64_t seed) {
+Curve withLocalValues(const CurveForm& form, std::uint64_t seed) {
     Dice dice(seed);
     Curve curve = emptyCurve(form, dice.whole(1, 4));
     completeParameters(curve);

@@ -11,7 +11,7 @@ namespace {
 
 class CurveEditLaws : public EveryFamily {};
 
-Document documentOf(const Curve& curve) {
+Document twiceInOne(const Curve& curve) {
     return {{std::make_shared<Curve>(curve), std::make_shared<Curve>(curve)}, "{}"};
 }
 
@@ -34,7 +34,7 @@ Curve withLocal(Curve curve, std::uint64_t seed) {
 }
 
 void expectReversed(const Curve& curve) {
-    const Document before = documentOf(curve);
+    const Document before = twiceInOne(curve);
     const Document after = reverseCurve(before, 0);
     ASSERT_FALSE(problemOf(after)) << problemOf(after)->place << ' ' << problemOf(after)->what;
     const Pieces old = piecesOf(curve);
@@ -73,7 +73,7 @@ TEST_P(CurveEditLaws, bothPartsOfACutCurveKeepItsShape) {
         const Pieces old = piecesOf(curve);
         const Spot spot{static_cast<std::size_t>(dice.whole(0, static_cast<int>(old.size()) - 1)),
                         dice.oneIn(3) && old.size() > 2 ? 1 : dice.between(0.01, 0.99)};
-        const auto result = splitCurve(documentOf(curve), 0, spot);
+        const auto result = splitCurve(twiceInOne(curve), 0, spot);
         const bool atEnd = spot.u == 1 && spot.segment + 1 == old.size() && !curve.closed;
         if (old.degree() > 25 || atEnd) {
             ASSERT_EQ(std::holds_alternative<Problem>(result), atEnd || old.degree() > 25);
@@ -109,7 +109,7 @@ TEST_P(CurveEditLaws, aClosedCurveOpensWhereItPassesByAPoint) {
         }
         const Pieces old = piecesOf(curve);
         for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            const auto result = openAt(documentOf(curve), {0, i});
+            const auto result = openAt(twiceInOne(curve), {0, i});
             ASSERT_TRUE(std::holds_alternative<Document>(result)) << std::get<Problem>(result).what;
             const Curve& opened = *std::get<Document>(result).curves[0];
             EXPECT_FALSE(opened.closed);
@@ -145,7 +145,7 @@ TEST(CurveEditLaws, knotsOfItsOwnAreMirroredAndCut) {
             ASSERT_FALSE(problemOf(curve)) << problemOf(curve)->what;
             expectReversed(curve);
             const Pieces old = piecesOf(curve);
-            const auto result = splitCurve(documentOf(curve), 0, {old.size() / 2, 0.4});
+            const auto result = splitCurve(twiceInOne(curve), 0, {old.size() / 2, 0.4});
             ASSERT_TRUE(std::holds_alternative<Document>(result)) << std::get<Problem>(result).what;
             const auto& after = std::get<Document>(result);
             EXPECT_LE(farthestFrom(piecesOf(*after.curves[0]), old), toleranceFor(old));

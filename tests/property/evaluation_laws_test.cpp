@@ -1,5 +1,6 @@
 // Whatever the family: the ladder's tip is the Bernstein sum, derivatives are the limits of
 // differences, and the blends of the controls give the same curve as the coordinates do.
+#include "core/spline/algebra/scale.h"
 #include "core/spline/shape/hodograph.h"
 #include "tests/property/random_curves.h"
 
@@ -9,15 +10,12 @@
 namespace splineloft::testing_curves {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr int rounds = 24;
-
 class Evaluation : public EveryFamily {};
 
 /// Places along a piece: its ends, and no places where powers of u are round.
 const std::vector<double> awkward = {0, 0.1, 1.0 / 3, 0.61803398874989485, 0.9375, 1};
 
-double farthest(const Piece& piece) {
+double farthestCoordinate(const Piece& piece) {
     double size = 0;
     for (const double x : piece.coordinates) {
         size = std::max(size, std::abs(x));
@@ -58,12 +56,13 @@ double derivativeBound(const Piece& piece, int order) {
 }
 
 TEST_P(Evaluation, ladderTipIsTheBernsteinSum) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const Piece piece = pieces[i];
-            // A level of the ladder rounds twice; the sum rounds its powers once a factor.
-            const double tolerance = 8 * (piece.degree + 1) * epsilon * farthest(piece);
+            // A level of the ladder usualRounds twice; the sum usualRounds its powers once a
+            // factor.
+            const double tolerance = 8 * (piece.degree + 1) * epsilon * farthestCoordinate(piece);
             for (const double u : awkward) {
                 const auto where = "segment " + std::to_string(i) + " u " + std::to_string(u);
                 expectNear(piece.ladder(u).tip(), bernsteinSum(piece, u), tolerance, where);
@@ -78,11 +77,11 @@ TEST_P(Evaluation, ladderTipIsTheBernsteinSum) {
 
 TEST_P(Evaluation, derivativesAreLimitsOfDifferences) {
     constexpr double h = 1.0 / 1024; // makes truncation and rounding of the second about equal
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const Piece piece = pieces[i];
-            const double rounding = 8 * (piece.degree + 1) * epsilon * farthest(piece);
+            const double rounding = 8 * (piece.degree + 1) * epsilon * farthestCoordinate(piece);
             // Taylor: the central differences miss the derivatives by h^2 / 6 times the third and
             // h^2 / 12 times the fourth. Away from the ends u +- h stays where the bounds hold.
             const double first = h * h / 6 * derivativeBound(piece, 3) + rounding / h;
@@ -102,14 +101,14 @@ TEST_P(Evaluation, derivativesAreLimitsOfDifferences) {
 }
 
 TEST_P(Evaluation, hodographIsTheCurveOfTheDerivative) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const Piece piece = pieces[i];
             const Pieces derivative = splineloft::hodograph(piece);
             const Piece hodograph = derivative[0];
             const double tolerance =
-                8 * piece.degree * (piece.degree + 1) * epsilon * farthest(piece);
+                8 * piece.degree * (piece.degree + 1) * epsilon * farthestCoordinate(piece);
             for (const double u : awkward) {
                 const Jet jet = piece.jet(u);
                 const auto where = "segment " + std::to_string(i) + " u " + std::to_string(u);
@@ -121,7 +120,7 @@ TEST_P(Evaluation, hodographIsTheCurveOfTheDerivative) {
 }
 
 TEST_P(Evaluation, derivativesByParameterFollowTheChainRule) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const double interval = pieces.knots().interval(i);
@@ -137,7 +136,7 @@ TEST_P(Evaluation, derivativesByParameterFollowTheChainRule) {
 }
 
 TEST_P(Evaluation, blendsGiveTheSameCurveAsCoordinates) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         const BlendPieces blends = blendsOf(curve);
         ASSERT_EQ(pieces.size(), blends.size());

@@ -16,7 +16,7 @@ KnotLine knotsOf(std::size_t pieces) {
 
 } // namespace
 
-Pieces onePiece(int degree, int dimension, std::vector<double> bezier, splineloft::Form form) {
+Pieces onePiece(int degree, int dimension, std::vector<double> bezier, Form form) {
     return {degree, dimension, knotsOf(1), std::move(bezier), form};
 }
 

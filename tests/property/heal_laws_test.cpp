@@ -1,6 +1,7 @@
 // Points deleted so that the curve stays where it was as well as it can.
 #include "core/document/edits.h"
 #include "core/spline/change/knots.h"
+#include "tests/documents.h"
 #include "tests/property/nearness.h"
 #include "tests/property/random_curves.h"
 
@@ -12,11 +13,7 @@ namespace {
 
 class HealLaws : public EveryFamily {};
 
-Document documentOf(const Curve& curve) {
-    return {{std::make_shared<Curve>(curve)}, "{}"};
-}
-
-Pieces firstOf(const Document& document) {
+Pieces firstPieces(const Document& document) {
     return piecesOf(*document.curves[0]);
 }
 
@@ -41,13 +38,13 @@ TEST_P(HealLaws, aHealedCurveIsNeverFartherThanOneJustWithoutThePoints) {
         ASSERT_FALSE(problemOf(healed));
         ASSERT_EQ(healed.curves[0]->points.size(), plain.curves[0]->points.size());
         const Pieces old = piecesOf(curve);
-        const Pieces left = firstOf(plain);
+        const Pieces left = firstPieces(plain);
         if (left.empty()) {
             EXPECT_EQ(healed, plain);
             return;
         }
         const double without = farthestApart(left, old);
-        const double with = farthestApart(firstOf(healed), old);
+        const double with = farthestApart(firstPieces(healed), old);
         // The samples are not those by which it was measured.
         EXPECT_LE(with, 1.05 * without + 1e-9);
         better += with < 0.8 * without ? 1 : 0;
@@ -73,7 +70,7 @@ TEST(HealLaws, whatWasCutIntoABezierSplineHealsWithoutATrace) {
                 insertOnCurve(cut.document, 0, {segment + 1, dice.between(0.2, 0.8)});
             const std::vector<PointId> ids = {cut.point, second.point};
             const Document healed = deleteAndHeal(second.document, ids);
-            EXPECT_LE(farthestApart(firstOf(healed), old), 1e-9) << "seed " << seed;
+            EXPECT_LE(farthestApart(firstPieces(healed), old), 1e-9) << "seed " << seed;
             EXPECT_EQ(healed.curves[0]->points.size(), curve.points.size());
         }
     }
@@ -89,7 +86,7 @@ TEST(HealLaws, whatWasAddedToABSplineHealsWithoutATrace) {
             const auto added = insertOnCurve(documentOf(curve), 0, {3, 0.5});
             const Document healed =
                 deleteAndHeal(added.document, std::vector<PointId>{added.point});
-            EXPECT_LE(farthestApart(firstOf(healed), old), 1e-6) << family << seed;
+            EXPECT_LE(farthestApart(firstPieces(healed), old), 1e-6) << family << seed;
         }
     }
 }
@@ -100,7 +97,7 @@ TEST(HealLaws, aBezierCurveOfOneDegreeMoreThanItNeedsHealsWithoutATrace) {
     rollPoints(curve, 6, {90, -30}, 20, dice);
     const Curve higher = std::get<Curve>(elevated(curve));
     const Document healed = deleteAndHeal(documentOf(higher), std::vector<PointId>{{0, 3}});
-    EXPECT_LE(farthestApart(firstOf(healed), piecesOf(curve)), 1e-6);
+    EXPECT_LE(farthestApart(firstPieces(healed), piecesOf(curve)), 1e-6);
 }
 
 TEST(HealLaws, aCircleStaysRound) {
@@ -117,8 +114,9 @@ TEST(HealLaws, aCircleStaysRound) {
         for (const std::size_t index : {0U, 5U, 11U}) { // also beside the seam
             const std::vector<PointId> ids = {{0, index}};
             const double without =
-                farthestApart(firstOf(deletePoints(documentOf(curve), ids)), old);
-            const double with = farthestApart(firstOf(deleteAndHeal(documentOf(curve), ids)), old);
+                farthestApart(firstPieces(deletePoints(documentOf(curve), ids)), old);
+            const double with =
+                farthestApart(firstPieces(deleteAndHeal(documentOf(curve), ids)), old);
             EXPECT_LT(with, 0.7 * without) << family << ' ' << index;
         }
     }

@@ -41,7 +41,7 @@ bool comesBefore(Spot a, Spot b) {
     return a.segment < b.segment || (a.segment == b.segment && a.u < b.u);
 }
 
-double roundingOf(const Pieces& pieces) {
+double pieceRounding(const Pieces& pieces) {
     return 4e-15 * (1 + farthest(pieces)) * (pieces.degree() + 1);
 }
 
@@ -49,7 +49,7 @@ double roundingOf(const Pieces& pieces) {
 void expectSameCurve(const Pieces& ours, const Pieces& wanted, double from, double to,
                      const std::string& what) {
     // By position and not by spot: a knot more moves the bounds of pieces by rounding.
-    const double tolerance = 40 * roundingOf(wanted);
+    const double tolerance = 40 * pieceRounding(wanted);
     for (int k = 0; k <= 6; ++k) {
         const double t = from + (to - from) * (0.003 + 0.994 * k / 6);
         expectNear(ours.position(ours.knots().locate(t)), wanted.position(wanted.knots().locate(t)),
@@ -66,8 +66,8 @@ TEST(OperationLaws, subdividingLeavesTheCurve) {
         expectSameCurve(cut, pieces, pieces.knots().start(), pieces.knots().end(), "subdivided");
         if (!atJoint) {
             EXPECT_EQ(cut.knots().knots()[spot.segment + 1], pieces.knots().parameter(spot));
-            expectNear(cut.position({spot.segment, 1}), pieces.position(spot), roundingOf(pieces),
-                       "the spot");
+            expectNear(cut.position({spot.segment, 1}), pieces.position(spot),
+                       pieceRounding(pieces), "the spot");
         }
     });
 }
@@ -88,9 +88,10 @@ TEST(OperationLaws, aPartIsTheCurveBetweenTwoSpots) {
         ASSERT_FALSE(middle.empty());
         EXPECT_EQ(middle.knots().start(), start);
         EXPECT_EQ(middle.knots().end(), end);
-        expectNear(middle.position({0, 0}), pieces.position(from), 4 * roundingOf(pieces), "from");
+        expectNear(middle.position({0, 0}), pieces.position(from), 4 * pieceRounding(pieces),
+                   "from");
         expectNear(middle.position({middle.size() - 1, 1}), pieces.position(to),
-                   4 * roundingOf(pieces), "to");
+                   4 * pieceRounding(pieces), "to");
         if (end - start > 1e-3) {
             expectSameCurve(middle, pieces, start, end, "part");
         }
@@ -107,7 +108,7 @@ TEST(OperationLaws, reversedTwiceIsTheSame) {
         }
         const Spot spot = randomSpot(pieces, dice);
         expectNear(back.position({pieces.size() - 1 - spot.segment, 1 - spot.u}),
-                   pieces.position(spot), 4 * roundingOf(pieces), "mirrored spot");
+                   pieces.position(spot), 4 * pieceRounding(pieces), "mirrored spot");
     });
 }
 
@@ -152,7 +153,7 @@ TEST(OperationLaws, flatteningStaysWithinTolerance) {
             EXPECT_TRUE(std::ranges::is_sorted(line.spots, comesBefore));
             for (int k = 0; k < 8; ++k) {
                 EXPECT_LE(distanceFrom(pieces, line, pieces.position(randomSpot(pieces, dice))),
-                          tolerance + roundingOf(pieces))
+                          tolerance + pieceRounding(pieces))
                     << "tolerance " << tolerance;
             }
         });
@@ -205,7 +206,7 @@ TEST(OperationLaws, crossingsLieOnTheLineAndNoneIsMissing) {
             return dot(line->normal, pieces.position(spot) - line->place);
         };
         for (const Spot spot : found.spots) {
-            EXPECT_NEAR(off(spot), 0, 20 * roundingOf(pieces));
+            EXPECT_NEAR(off(spot), 0, 20 * pieceRounding(pieces));
         }
         if (dice.oneIn(5)) {
             const auto sampled = changesOfSign(pieces, off);
@@ -222,7 +223,7 @@ TEST(OperationLaws, crossingsOfAPlaneInSpace) {
                                dice.pointOnGrid(3, 5) + Point{7, 1, 2}};
         for (const Spot spot : crossings(pieces, plane).spots) {
             EXPECT_NEAR(dot(plane.normal, pieces.position(spot) - plane.place), 0,
-                        400 * roundingOf(pieces));
+                        400 * pieceRounding(pieces));
         }
     });
 }
@@ -299,7 +300,7 @@ TEST(OperationLaws, selfIntersectionsAreOnePlaceTwice) {
         for (const auto& crossing : found.crossings) {
             EXPECT_TRUE(comesBefore(crossing.a, crossing.b));
             EXPECT_LE(distance(pieces.position(crossing.a), pieces.position(crossing.b)),
-                      4 * roundingOf(pieces) + 1e-12 * extentOf(pieces));
+                      4 * pieceRounding(pieces) + 1e-12 * extentOf(pieces));
         }
     });
 }

@@ -44,9 +44,9 @@ Point Dice::pointOnGrid(int dimension, double extent) {
     return point;
 }
 
-std::vector<Form> formsOf(const std::string& family) {
+std::vector<CurveForm> formsOf(const std::string& family) {
     const Family* found = findFamily(family);
-    std::vector<Form> forms;
+    std::vector<CurveForm> forms;
     for (const Ends ends : found->ends) {
         forms.push_back({family, false, ends});
     }
@@ -56,15 +56,15 @@ std::vector<Form> formsOf(const std::string& family) {
     return forms;
 }
 
-std::vector<Form> everyForm() {
-    std::vector<Form> forms;
+std::vector<CurveForm> everyForm() {
+    std::vector<CurveForm> forms;
     for (const auto& id : familyIds()) {
         std::ranges::copy(formsOf(id), std::back_inserter(forms));
     }
     return forms;
 }
 
-Curve emptyCurve(const Form& form, int dimension) {
+Curve emptyCurve(const CurveForm& form, int dimension) {
     Curve curve;
     curve.family = form.family;
     curve.closed = form.closed;
@@ -103,7 +103,7 @@ void rollPoints(Curve& curve, std::size_t count, const Point& center, double ext
     }
 }
 
-Curve randomCurve(const Form& form, std::uint64_t seed) {
+Curve randomCurve(const CurveForm& form, std::uint64_t seed) {
     Dice dice(seed);
     const int dimension = dice.oneIn(10) ? maxDimension : dice.whole(1, 6);
     Curve curve = emptyCurve(form, dimension);

@@ -42,27 +42,30 @@ class Dice {
     std::mt19937_64 engine_;
 };
 
+/// How many curves of each form most laws are tried on.
+inline constexpr int usualRounds = 24;
+
 /// A family with one way of ending.
-struct Form {
+struct CurveForm {
     std::string family;
     bool closed = false;
     Ends ends = Ends::none;
 };
 
 /// All forms of one family, open ones first.
-std::vector<Form> formsOf(const std::string& family);
+std::vector<CurveForm> formsOf(const std::string& family);
 /// All forms of all families.
-std::vector<Form> everyForm();
+std::vector<CurveForm> everyForm();
 
 /// A curve without points, which has one coordinate name for each of `dimension`.
-Curve emptyCurve(const Form& form, int dimension);
+Curve emptyCurve(const CurveForm& form, int dimension);
 /// Sets every parameter to a random value of its slider's range; now and then to an end of it.
 void rollParameters(Curve& curve, Dice& dice);
 /// Gives the curve `count` random points around `center`, and tangents where it wants them.
 void rollPoints(Curve& curve, std::size_t count, const Point& center, double extent, Dice& dice);
 
 /// A random curve with pieces, off the origin by up to 1000.
-Curve randomCurve(const Form& form, std::uint64_t seed);
+Curve randomCurve(const CurveForm& form, std::uint64_t seed);
 /// The same curve drawn through other points.
 Curve withPoints(Curve curve, const std::vector<Point>& points);
 

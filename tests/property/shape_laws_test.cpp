@@ -10,8 +10,6 @@
 namespace splineloft::testing_curves {
 namespace {
 
-constexpr int rounds = 24;
-
 class Shape : public EveryFamily {};
 
 /// Local families and how many pieces one of their points may move: as many as read it.
@@ -23,7 +21,7 @@ TEST_P(Shape, movingAPointMovesItsOwnPiecesOnly) {
     if (GetParam() == "natural" || GetParam() == "bezier") {
         return; // global by nature
     }
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         if (familyOf(curve).spacing == Spacing::chord || knotsFollowPoints(curve)) {
             return; // moved chords move the pieces, see below
         }
@@ -44,7 +42,7 @@ TEST_P(Shape, movingAPointMovesItsOwnPiecesOnly) {
 }
 
 TEST(ShapeOf, catmullRomWithChordsStaysLocal) {
-    forEveryForm("catmull-rom", rounds, [](const Curve& curve) {
+    forEveryForm("catmull-rom", usualRounds, [](const Curve& curve) {
         const BlendPieces blends = blendsOf(curve);
         for (std::size_t i = 0; i < blends.size(); ++i) {
             const Blend basis = blends.basis({i, 0.4});
@@ -56,7 +54,7 @@ TEST(ShapeOf, catmullRomWithChordsStaysLocal) {
 /// For points whose hull is known by its supporting directions: no point of the curve lies farther
 /// out in any direction than the control points that it blends.
 TEST_P(Shape, staysInTheHullWhereTheBadgeSaysSo) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const Pieces pieces = piecesOf(curve);
         const BlendPieces blends = blendsOf(curve);
         if (!traitsOf(curve, pieces, blends).inHull || curve.ends == Ends::reflected) {
@@ -82,7 +80,7 @@ TEST_P(Shape, staysInTheHullWhereTheBadgeSaysSo) {
 
 TEST(ShapeOf, theConvexFamiliesIsInTheHull) {
     for (const auto* family : {"linear", "bezier", "bezier-spline", "b-spline", "duff", "beta"}) {
-        forEveryForm(family, rounds, [](const Curve& curve) {
+        forEveryForm(family, usualRounds, [](const Curve& curve) {
             const BlendPieces blends = blendsOf(curve);
             const bool mirrored = !curve.closed && curve.ends == Ends::reflected;
             EXPECT_TRUE(mirrored || traitsOf(curve, piecesOf(curve), blends).inHull);
@@ -102,7 +100,7 @@ TEST(ShapeOf, theInterpolatingCubicsLeavesTheHull) {
 
 /// Renumbering the points of a closed curve renumbers its pieces and changes nothing else.
 TEST_P(Shape, closedCurvesHaveNoFirstPoint) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         const auto stride = static_cast<std::size_t>(layoutOf(curve).stride);
         if (!curve.closed || curve.points.size() % stride != 0) {
             return;
@@ -162,7 +160,7 @@ bool canBeReversed(const Curve& curve) {
 }
 
 TEST_P(Shape, pointsBackwardsAreTheCurveBackwards) {
-    forEveryForm(GetParam(), rounds, [](const Curve& curve) {
+    forEveryForm(GetParam(), usualRounds, [](const Curve& curve) {
         if (!canBeReversed(curve)) {
             return;
         }

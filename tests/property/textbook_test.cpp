@@ -1,4 +1,5 @@
 // The formulas as the sources print them, against our Bézier blends.
+#include "core/spline/algebra/scale.h"
 #include "tests/property/random_curves.h"
 
 #include <array>
@@ -7,8 +8,6 @@
 
 namespace splineloft::testing_curves {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A 4 x 4 matrix row by row as printed: rows belong to u^3, u^2, u, 1, columns to the points.
 using Matrix = std::array<std::array<double, 4>, 4>;

@@ -13,9 +13,9 @@ namespace splineloft::app {
 namespace {
 
 /// An editor's sitting as far as the autosave sees it, with a clock that is set by hand.
-class Sitting {
+class WatchedSitting {
   public:
-    explicit Sitting(const fs::path& folder, AutosavePace pace = {})
+    explicit WatchedSitting(const fs::path& folder, AutosavePace pace = {})
         : autosave(folder, pace), session(documentWith(0), "") {
         look();
     }
@@ -63,7 +63,7 @@ void dieAfter(const std::function<void()>& sit) {
 
 TEST(Autosave, waitsForeverWhileNothingIsUnsaved) {
     const TemporaryFolder folder;
-    Sitting sitting(folder / "recovery");
+    WatchedSitting sitting(folder / "recovery");
     EXPECT_EQ(sitting.autosave.patience(sitting.now), never);
     EXPECT_TRUE(names(folder.path()).empty());
     change(sitting.session, 1);
@@ -74,7 +74,7 @@ TEST(Autosave, waitsForeverWhileNothingIsUnsaved) {
 
 TEST(Autosave, keepsAChangeWithinTwentySeconds) {
     const TemporaryFolder folder;
-    Sitting sitting(folder / "recovery");
+    WatchedSitting sitting(folder / "recovery");
     change(sitting.session, 1);
     sitting.look();
     EXPECT_NEAR(sitting.autosave.patience(sitting.now), 20, 1e-6);
@@ -87,7 +87,7 @@ TEST(Autosave, keepsAChangeWithinTwentySeconds) {
 
 TEST(Autosave, keepsTwentyChangesAtOnce) {
     const TemporaryFolder folder;
-    Sitting sitting(folder / "recovery");
+    WatchedSitting sitting(folder / "recovery");
     for (int i = 1; i <= 20; ++i) {
         EXPECT_TRUE(names(folder / "recovery").empty());
         change(sitting.session, i);
@@ -100,7 +100,7 @@ TEST(Autosave, keepsTwentyChangesAtOnce) {
 TEST(Autosave, forgetsWhatIsSavedOrGivenUp) {
     const TemporaryFolder folder;
     for (const char* way : {"saved", "undone", "another document", "the end"}) {
-        Sitting sitting(folder / "recovery", {1, 20});
+        WatchedSitting sitting(folder / "recovery", {1, 20});
         change(sitting.session, 1);
         sitting.look();
         sitting.pass(1);
@@ -119,7 +119,7 @@ TEST(Autosave, forgetsWhatIsSavedOrGivenUp) {
 TEST(Autosave, anotherDocumentHasAPlaceOfItsOwn) {
     const TemporaryFolder folder;
     dieAfter([&] {
-        Sitting sitting(folder / "recovery", {1, 20});
+        WatchedSitting sitting(folder / "recovery", {1, 20});
         change(sitting.session, 1);
         sitting.look();
         sitting.pass(1);
@@ -137,7 +137,7 @@ TEST(Autosave, anotherDocumentHasAPlaceOfItsOwn) {
 TEST(Autosave, sensesADiskThatRefusesOnceAndTriesOnMoreSlowly) {
     const TemporaryFolder folder;
     put(folder / "recovery", "a file where a folder should be");
-    Sitting sitting(folder / "recovery");
+    WatchedSitting sitting(folder / "recovery");
     change(sitting.session, 1);
     sitting.look();
     sitting.pass(21);
@@ -158,7 +158,7 @@ TEST(Autosave, aFullDiskLeavesWhatWasKeptBefore) {
     const TemporaryFolder folder;
     const auto ending = inChild([] { return true; },
                                 [&] {
-                                    Sitting sitting(folder / "recovery", {1, 20});
+                                    WatchedSitting sitting(folder / "recovery", {1, 20});
                                     change(sitting.session, 1);
                                     sitting.look();
                                     sitting.pass(1);
@@ -177,7 +177,7 @@ TEST(Autosave, aFullDiskLeavesWhatWasKeptBefore) {
 TEST(Recovery, offersWhatAKilledEditorHadInNoFile) {
     const TemporaryFolder folder;
     dieAfter([&] {
-        Sitting sitting(folder / "recovery", {1, 20});
+        WatchedSitting sitting(folder / "recovery", {1, 20});
         sitting.session.path = "/there/path.json";
         change(sitting.session, 7);
         sitting.look();
@@ -203,7 +203,7 @@ TEST(Recovery, offersWhatAKilledEditorHadInNoFile) {
 TEST(Recovery, offersWorkToOneEditorAtATime) {
     const TemporaryFolder folder;
     dieAfter([&] {
-        Sitting sitting(folder / "recovery", {1, 20});
+        WatchedSitting sitting(folder / "recovery", {1, 20});
         change(sitting.session, 7);
         sitting.look();
         sitting.pass(1);
@@ -218,7 +218,7 @@ TEST(Recovery, offersWorkToOneEditorAtATime) {
 
 TEST(Recovery, leavesRunningEditorsAlone) {
     const TemporaryFolder folder;
-    Sitting sitting(folder / "recovery", {1, 20});
+    WatchedSitting sitting(folder / "recovery", {1, 20});
     change(sitting.session, 1);
     sitting.look();
     sitting.pass(1);
@@ -231,7 +231,7 @@ TEST(Recovery, leavesRunningEditorsAlone) {
 TEST(Recovery, workThatIsInItsFileAfterAllIsNoLoss) {
     const TemporaryFolder folder;
     dieAfter([&] {
-        Sitting sitting(folder / "recovery", {1, 20});
+        WatchedSitting sitting(folder / "recovery", {1, 20});
         sitting.session.path = (folder / "path.json").string();
         change(sitting.session, 7);
         sitting.look();
@@ -246,13 +246,13 @@ TEST(Recovery, workThatIsInItsFileAfterAllIsNoLoss) {
 TEST(Recovery, goesOnInThePlaceThatItWasRestoredFrom) {
     const TemporaryFolder folder;
     dieAfter([&] {
-        Sitting sitting(folder / "recovery", {1, 20});
+        WatchedSitting sitting(folder / "recovery", {1, 20});
         change(sitting.session, 7);
         sitting.look();
         sitting.pass(1);
     });
     dieAfter([&] {
-        Sitting sitting(folder / "recovery", {1, 20});
+        WatchedSitting sitting(folder / "recovery", {1, 20});
         auto found = find(folder / "recovery");
         sitting.session.restored(found.at(0).document, "", {});
         sitting.autosave.adopt(found.at(0).slot, sitting.session);
@@ -262,7 +262,7 @@ TEST(Recovery, goesOnInThePlaceThatItWasRestoredFrom) {
     auto found = find(folder / "recovery");
     ASSERT_EQ(found.size(), 1U) << "restored and not saved, it is still not lost";
     EXPECT_EQ(found[0].document, documentWith(7));
-    Sitting sitting(folder / "recovery", {1, 20});
+    WatchedSitting sitting(folder / "recovery", {1, 20});
     sitting.session.restored(found[0].document, "", {});
     sitting.autosave.adopt(std::move(found[0].slot), sitting.session);
     found.clear();

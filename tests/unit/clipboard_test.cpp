@@ -11,14 +11,14 @@ namespace {
 
 using namespace testing_curves;
 
-std::vector<CurveEntry> curvesOf(const std::string& text) {
+std::vector<CurveEntry> pastedCurves(const std::string& text) {
     auto result = pasted(text);
     EXPECT_TRUE(result) << text << ": " << result.refusal().message();
     return result ? result->curves : std::vector<CurveEntry>();
 }
 
-Curve only(const std::string& text) {
-    const auto curves = curvesOf(text);
+Curve pastedAlone(const std::string& text) {
+    const auto curves = pastedCurves(text);
     EXPECT_EQ(curves.size(), 1u) << text;
     return curves.empty() ? Curve() : *curves.front();
 }
@@ -49,11 +49,11 @@ Document everyFamily() {
 TEST(Clipboard, copiedCurvesComeBack) {
     const Document document = everyFamily();
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
-        const auto curves = curvesOf(copiedCurves(document, std::array{i}));
+        const auto curves = pastedCurves(copiedCurves(document, std::array{i}));
         ASSERT_EQ(curves.size(), 1u);
         EXPECT_EQ(curves[0], document.curves[i]);
     }
-    const auto two = curvesOf(copiedCurves(document, std::array<std::size_t, 3>{3, 1, 3}));
+    const auto two = pastedCurves(copiedCurves(document, std::array<std::size_t, 3>{3, 1, 3}));
     ASSERT_EQ(two.size(), 2u);
     EXPECT_EQ(two[0], document.curves[1]);
     EXPECT_EQ(copiedCurves(document, std::array<std::size_t, 1>{0}).find("\"a\""),
@@ -67,7 +67,8 @@ TEST(Clipboard, copiedPointsBringWhatBelongsToThem) {
     curve.weights = {1, 2, 3, 4, 5};
     completeParameters(curve);
     const Document document = {{std::make_shared<Curve>(curve)}, "{}"};
-    const Curve few = only(copiedPoints(document, std::vector<PointId>{{0, 3}, {0, 1}, {0, 3}}));
+    const Curve few =
+        pastedAlone(copiedPoints(document, std::vector<PointId>{{0, 3}, {0, 1}, {0, 3}}));
     EXPECT_EQ(few.points, (Points{{1, 3}, {6, 0}}));
     EXPECT_EQ(few.weights, (std::vector<double>{2, 4}));
     EXPECT_FALSE(few.closed);
@@ -75,7 +76,7 @@ TEST(Clipboard, copiedPointsBringWhatBelongsToThem) {
     for (std::size_t i = 0; i < 5; ++i) {
         all.push_back({0, i});
     }
-    EXPECT_EQ(only(copiedPoints(document, all)), curve);
+    EXPECT_EQ(pastedAlone(copiedPoints(document, all)), curve);
 }
 
 TEST(Clipboard, copiedAnchorsBringTheirHandles) {
@@ -83,9 +84,10 @@ TEST(Clipboard, copiedAnchorsBringTheirHandles) {
     curve.points = {{0, 0}, {1, 2}, {3, 4}, {4, 4}, {5, 5}, {8, 1}, {9, 0}, {7, -3}, {1, -2}};
     Document document = {{std::make_shared<Curve>(curve)}, "{}"};
     document.curves[0].handleModes = {{3, HandleMode::automatic}};
-    EXPECT_EQ(only(copiedPoints(document, std::vector<PointId>{{0, 4}, {0, 6}})).points,
+    EXPECT_EQ(pastedAlone(copiedPoints(document, std::vector<PointId>{{0, 4}, {0, 6}})).points,
               (Points{{4, 4}, {5, 5}, {8, 1}, {9, 0}}));
-    EXPECT_EQ(only(copiedPoints(document, std::vector<PointId>{{0, 6}})).points, (Points{{9, 0}}));
+    EXPECT_EQ(pastedAlone(copiedPoints(document, std::vector<PointId>{{0, 6}})).points,
+              (Points{{9, 0}}));
 }
 
 /// Found by the undo laws: the anchor of the last handle is not there yet.
@@ -112,7 +114,7 @@ TEST(Clipboard, pointsOfSeveralCurvesStaySeveral) {
             ids.push_back({i, 1, Part::tangent});
         }
     }
-    const auto curves = curvesOf(copiedPoints(document, ids));
+    const auto curves = pastedCurves(copiedPoints(document, ids));
     ASSERT_EQ(curves.size(), document.curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
         EXPECT_EQ(curves[i]->points.at(0), document.curves[i]->points.at(0));
@@ -121,9 +123,9 @@ TEST(Clipboard, pointsOfSeveralCurvesStaySeveral) {
 }
 
 TEST(Paste, takesACurveAndPointsAsJson) {
-    const Curve curve = only(R"( {"family": "linear", "points": [[1, 2], [3, 4]]} )");
+    const Curve curve = pastedAlone(R"( {"family": "linear", "points": [[1, 2], [3, 4]]} )");
     EXPECT_EQ(curve.family, "linear");
-    const Curve points = only("\n[[1, 2, 0.5], [3, 4, 1e2]]");
+    const Curve points = pastedAlone("\n[[1, 2, 0.5], [3, 4, 1e2]]");
     EXPECT_EQ(points.points, (Points{{1, 2, 0.5}, {3, 4, 100}}));
     EXPECT_EQ(points.family, "cardinal");
     EXPECT_EQ(points.coordinates, (std::vector<std::string>{"x", "y", "z"}));
@@ -148,13 +150,14 @@ TEST(Paste, takesLinesAsSpreadsheetsCopyThem) {
           "1 2.5\n\n  -3   4 \n.001 600", "1;2.5\n-3;4\n0.001;600;\n", "1;2,5\n-3;4\n0,001;600\n",
           "1\t2,5\n-3\t4\n0,001\t+600", "\"1\",\"2.5\"\n\"-3\",\"4\"\n\"0.001\",\"600\"\n",
           "1, 2.5\n-3, 4\n0.001, 600"}) {
-        EXPECT_EQ(only(text).points, wanted) << text;
+        EXPECT_EQ(pastedAlone(text).points, wanted) << text;
     }
-    EXPECT_EQ(only("7\n8\n9").points, (Points{{7}, {8}, {9}}));
-    const Curve named = only("time,height\n1,2\n3,4");
+    EXPECT_EQ(pastedAlone("7\n8\n9").points, (Points{{7}, {8}, {9}}));
+    const Curve named = pastedAlone("time,height\n1,2\n3,4");
     EXPECT_EQ(named.coordinates, (std::vector<std::string>{"time", "height"}));
     EXPECT_EQ(named.points, (Points{{1, 2}, {3, 4}}));
-    EXPECT_EQ(only("a,a\n1,2").coordinates, (std::vector<std::string>{"x", "y"})) << "not unique";
+    EXPECT_EQ(pastedAlone("a,a\n1,2").coordinates, (std::vector<std::string>{"x", "y"}))
+        << "not unique";
 }
 
 /// Found by a fuzzer: a name of a coordinate had one, and then the document could not be read
@@ -188,17 +191,17 @@ TEST(Paste, refusesLinesAtLineAndColumn) {
 }
 
 TEST(Paste, takesPathsUpright) {
-    const auto curves = curvesOf("M0 0H10V2Z M 0 5 L 10 10");
+    const auto curves = pastedCurves("M0 0H10V2Z M 0 5 L 10 10");
     ASSERT_EQ(curves.size(), 2u);
     EXPECT_EQ(curves[0]->points, (Points{{0, 10}, {10, 10}, {10, 8}})) << "what was above stays so";
     EXPECT_EQ(curves[1]->points, (Points{{0, 5}, {10, 0}}));
-    EXPECT_EQ(only("m.1.2.1.1").points, (Points{{0.1, 0.3}, {0.2, 0.2}}));
+    EXPECT_EQ(pastedAlone("m.1.2.1.1").points, (Points{{0.1, 0.3}, {0.2, 0.2}}));
     expectRefused("M0 0L1", "byte 6", "the data end");
     expectRefused("M5 5", "", "no curve");
 }
 
 TEST(Paste, takesThePathsOfAnSvgFile) {
-    const auto curves = curvesOf(R"(<?xml version="1.0"?>
+    const auto curves = pastedCurves(R"(<?xml version="1.0"?>
 <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 16">
   <defs><path d="M9 9L99 99"/></defs>
   <g><path id="roof" d="M0 4L4 0L8 4"/></g>

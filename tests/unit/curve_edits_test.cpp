@@ -18,7 +18,7 @@ Curve curveOf(const std::string& family, Points points) {
     return curve;
 }
 
-Document documentOf(const std::vector<Curve>& curves) {
+Document inOneDocument(const std::vector<Curve>& curves) {
     Document document;
     for (const auto& curve : curves) {
         document.curves.push_back(std::make_shared<Curve>(curve));
@@ -33,7 +33,7 @@ Document named(const std::vector<std::string>& names) {
         curves.push_back(curveOf("linear", {{0, 0}, {1, 1}}));
         curves.back().name = name;
     }
-    return documentOf(curves);
+    return inOneDocument(curves);
 }
 
 std::string namesOf(const Document& document) {
@@ -82,19 +82,19 @@ TEST(Reverse, takesListsAndModesAlong) {
     Curve curve =
         curveOf("bezier-spline",
                 {{0, 0}, {1, 2}, {3, 4}, {4, 4}, {5, 4}, {8, 1}, {9, 0}, {9, -3}, {5, -2}, {4, 0}});
-    Document document = documentOf({curve});
+    Document document = inOneDocument({curve});
     document.curves[0].handleModes = {{3, HandleMode::corner}};
     const Document after = reverseCurve(document, 0);
     EXPECT_EQ(after.curves[0].handleModes, (HandleModes{{6, HandleMode::corner}}));
     EXPECT_EQ(reverseCurve(after, 0), document);
     Curve beta = curveOf("beta", {{0, 0}, {4, 1}, {7, 3}, {9, 0}});
     beta.local["bias"] = {1, 2, 4, 8};
-    const Document turned = reverseCurve(documentOf({beta}), 0);
+    const Document turned = reverseCurve(inOneDocument({beta}), 0);
     EXPECT_EQ(turned.curves[0]->local.at("bias"), (std::vector{0.125, 0.25, 0.5, 1.0}));
 }
 
 TEST(Join, makesEndsThatCoincideOnePoint) {
-    const Document document = documentOf(
+    const Document document = inOneDocument(
         {curveOf("linear", {{0, 0}, {1, 1}}), curveOf("linear", {{1, 1}, {2, 0}, {3, 5}})});
     const Document one = joined(document, {0, 1}, {1, 0});
     ASSERT_EQ(one.curves.size(), 1u);
@@ -109,8 +109,8 @@ TEST(Join, makesEndsThatCoincideOnePoint) {
 
 TEST(Join, aStraightPieceLeadsFromAnchorToAnchor) {
     const Document document =
-        documentOf({curveOf("bezier-spline", {{0, 0}, {1, 2}, {3, 4}, {4, 4}}),
-                    curveOf("bezier-spline", {{10, 4}, {11, 8}, {13, 4}, {14, 4}})});
+        inOneDocument({curveOf("bezier-spline", {{0, 0}, {1, 2}, {3, 4}, {4, 4}}),
+                       curveOf("bezier-spline", {{10, 4}, {11, 8}, {13, 4}, {14, 4}})});
     EXPECT_EQ(
         joined(document, {0, 3}, {1, 0}).curves[0]->points,
         (Points{
@@ -119,8 +119,8 @@ TEST(Join, aStraightPieceLeadsFromAnchorToAnchor) {
 
 TEST(Join, convertsWhereThatIsExact) {
     const Document document =
-        documentOf({curveOf("bezier-spline", {{0, 0}, {1, 2}, {3, 4}, {4, 4}}),
-                    curveOf("linear", {{4, 4}, {7, 1}})});
+        inOneDocument({curveOf("bezier-spline", {{0, 0}, {1, 2}, {3, 4}, {4, 4}}),
+                       curveOf("linear", {{4, 4}, {7, 1}})});
     EXPECT_EQ(joined(document, {0, 3}, {1, 0}).curves[0]->points.size(), 7u);
     expectRefused(joinCurves(document, {1, 0}, {0, 3}), "/curves/0/family", "degree 3");
 }
@@ -129,11 +129,11 @@ TEST(Join, makesParametersLocalThatDiffer) {
     std::vector<Curve> curves = {curveOf("cardinal", {{0, 0}, {1, 1}}),
                                  curveOf("cardinal", {{5, 1}, {7, 1}, {9, 3}})};
     curves[1].parameters["tension"] = 2;
-    EXPECT_EQ(joined(documentOf(curves), {0, 1}, {1, 0}).curves[0]->local.at("tension"),
+    EXPECT_EQ(joined(inOneDocument(curves), {0, 1}, {1, 0}).curves[0]->local.at("tension"),
               (std::vector{0.5, 0.5, 2.0, 2.0, 2.0}));
     curves = {curveOf("duff", {{0, 0}, {1, 1}}), curveOf("duff", {{5, 1}, {7, 1}})};
     curves[1].parameters["tension"] = 0.25;
-    expectRefused(joinCurves(documentOf(curves), {0, 1}, {1, 0}), "/curves/1/parameters/tension",
+    expectRefused(joinCurves(inOneDocument(curves), {0, 1}, {1, 0}), "/curves/1/parameters/tension",
                   "differs");
 }
 
@@ -143,7 +143,7 @@ TEST(Join, splinesOfDifferentDegreeAndUnequalWeights) {
     Curve second = curveOf("nurbs", {{9, 0}, {12, 5}, {15, 0}});
     second.parameters["degree"] = 2;
     second.weights = {3, 1, 2};
-    const Document after = joined(documentOf({first, second}), {0, 3}, {1, 0});
+    const Document after = joined(inOneDocument({first, second}), {0, 3}, {1, 0});
     EXPECT_FALSE(problemOf(after));
     const Pieces pieces = piecesOf(*after.curves[0]);
     ASSERT_EQ(pieces.size(), 3u);
@@ -156,9 +156,9 @@ TEST(Join, refusesWhatHasNoTwoEnds) {
     Curve ring = curveOf("linear", {{0, 0}, {1, 1}, {2, 0}});
     ring.closed = true;
     const Document document =
-        documentOf({curveOf("linear", {{0, 0}, {1, 1}, {2, 0}}), ring,
-                    curveOf("linear", {{0, 0, 1}, {1, 1, 1}}), curveOf("bezier", {{0, 0}, {1, 1}}),
-                    curveOf("bezier", {{1, 1}, {5, 2}})});
+        inOneDocument({curveOf("linear", {{0, 0}, {1, 1}, {2, 0}}), ring,
+                       curveOf("linear", {{0, 0, 1}, {1, 1, 1}}),
+                       curveOf("bezier", {{0, 0}, {1, 1}}), curveOf("bezier", {{1, 1}, {5, 2}})});
     expectRefused(joinCurves(document, {0, 1}, {2, 0}), "/curves/0/points/1", "not at an end");
     expectRefused(joinCurves(document, {0, 2}, {1, 0}), "/curves/1/closed", "closed");
     expectRefused(joinCurves(document, {0, 2}, {0, 0}), "/curves/0", "both ends");
@@ -171,7 +171,7 @@ TEST(Split, staysInItsFamilyAtAPoint) {
         Dice dice(3);
         Curve curve = curveOf(family, Points(2));
         rollPoints(curve, 6, {9, 9}, 20, dice);
-        const auto result = splitCurve(documentOf({curve}), PointId{0, 2});
+        const auto result = splitCurve(inOneDocument({curve}), PointId{0, 2});
         ASSERT_TRUE(std::holds_alternative<Document>(result)) << family;
         const auto& after = std::get<Document>(result);
         ASSERT_EQ(after.curves.size(), 2u);
@@ -182,31 +182,31 @@ TEST(Split, staysInItsFamilyAtAPoint) {
 }
 
 TEST(Split, refusesEnds) {
-    const Document document = documentOf({curveOf("cardinal", {{0, 0}, {1, 1}, {4, 2}})});
+    const Document document = inOneDocument({curveOf("cardinal", {{0, 0}, {1, 1}, {4, 2}})});
     expectRefused(splitCurve(document, PointId{0, 0}), "/curves/0", "ends there");
     expectRefused(splitCurve(document, PointId{0, 2}), "/curves/0", "ends there");
     expectRefused(openAt(document, {0, 1}), "/curves/0/closed", "open");
-    const Document none = documentOf({curveOf("cardinal", {{1, 1}})});
+    const Document none = inOneDocument({curveOf("cardinal", {{1, 1}})});
     expectRefused(splitCurve(none, PointId{0, 0}), "/curves/0", "too few points");
 }
 
 TEST(Split, modesGoWithTheirAnchors) {
-    Document document = documentOf({curveOf("bezier-spline", {{0, 0},
-                                                              {1, 2},
-                                                              {3, 4},
-                                                              {4, 4},
-                                                              {5, 4},
-                                                              {8, 1},
-                                                              {9, 0},
-                                                              {10, -1},
-                                                              {5, -2},
-                                                              {4, 0},
-                                                              {3, 2},
-                                                              {0, 5},
-                                                              {0, 7},
-                                                              {0, 8},
-                                                              {1, 9},
-                                                              {3, 9}})});
+    Document document = inOneDocument({curveOf("bezier-spline", {{0, 0},
+                                                                 {1, 2},
+                                                                 {3, 4},
+                                                                 {4, 4},
+                                                                 {5, 4},
+                                                                 {8, 1},
+                                                                 {9, 0},
+                                                                 {10, -1},
+                                                                 {5, -2},
+                                                                 {4, 0},
+                                                                 {3, 2},
+                                                                 {0, 5},
+                                                                 {0, 7},
+                                                                 {0, 8},
+                                                                 {1, 9},
+                                                                 {3, 9}})});
     document.curves[0].handleModes = {{3, HandleMode::corner}, {12, HandleMode::corner}};
     const auto split = std::get<Document>(splitCurve(document, 0, {2, 0.5}));
     EXPECT_EQ(split.curves[0].handleModes, (HandleModes{{3, HandleMode::corner}}));

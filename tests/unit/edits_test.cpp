@@ -4,6 +4,7 @@
 #include "core/document/handles.h"
 
 #include "core/spline/catalog.h"
+#include "tests/documents.h"
 #include "tests/property/random_curves.h"
 
 #include <algorithm>
@@ -26,15 +27,11 @@ Curve planeCurve(const std::string& family, std::size_t count, bool closed = fal
 }
 
 /// Two curves: the one given, and a bystander that no edit may touch.
-Document documentOf(Curve curve) {
+Document besideBystander(Curve curve) {
     Document document;
     document.curves = {std::make_shared<Curve>(std::move(curve)),
                        std::make_shared<Curve>(planeCurve("natural", 5))};
     return document;
-}
-
-const Curve& firstOf(const Document& document) {
-    return *document.curves[0];
 }
 
 void expectPlausible(const Document& before, const Document& after, const std::string& what) {
@@ -50,12 +47,13 @@ constexpr double digits = 5e-12;
 TEST(MovePoints, leavesNoDustOfBinaryFractions) {
     Curve curve = emptyCurve({"cardinal", false, Ends::doubled}, 2);
     curve.points = {{0.1, 0.7}, {3, 4}};
-    const Document after = movePoints(documentOf(curve), std::vector<PointId>{{0, 0}}, {0.2, 0.1});
+    const Document after =
+        movePoints(besideBystander(curve), std::vector<PointId>{{0, 0}}, {0.2, 0.1});
     EXPECT_EQ(firstOf(after).points.at(0), Point({0.3, 0.8}));
 }
 
 TEST(MovePoints, movesThoseByTheTotalAndNoOthers) {
-    const Document before = documentOf(planeCurve("cardinal", 6));
+    const Document before = besideBystander(planeCurve("cardinal", 6));
     const std::vector<PointId> ids = {{0, 1}, {0, 4}};
     const Document after = movePoints(before, ids, {3, -5});
     expectPlausible(before, after, "move");
@@ -72,14 +70,14 @@ TEST(MovePoints, movesThoseByTheTotalAndNoOthers) {
 }
 
 TEST(MovePoints, namedTwiceMovesOnce) {
-    const Document before = documentOf(planeCurve("cardinal", 4));
+    const Document before = besideBystander(planeCurve("cardinal", 4));
     const std::vector<PointId> twice = {{0, 2}, {0, 2}};
     EXPECT_EQ(movePoints(before, twice, {3, -5}),
               movePoints(before, std::vector<PointId>{{0, 2}}, {3, -5}));
 }
 
 TEST(MovePoints, leavesOutCoordinatesThatACurveLacks) {
-    Document document = documentOf(planeCurve("cardinal", 4));
+    Document document = besideBystander(planeCurve("cardinal", 4));
     Curve flat = emptyCurve({"cardinal", false, Ends::doubled}, 1);
     flat.points = {{3}, {8}};
     document.curves[0] = std::make_shared<Curve>(flat);
@@ -88,7 +86,7 @@ TEST(MovePoints, leavesOutCoordinatesThatACurveLacks) {
 }
 
 TEST(MovePoints, movesTipsOfTangents) {
-    const Document before = documentOf(planeCurve("hermite", 4));
+    const Document before = besideBystander(planeCurve("hermite", 4));
     const std::vector<PointId> tip = {{0, 2, Part::tangent}};
     const Document after = movePoints(before, tip, {3, -5});
     EXPECT_EQ(firstOf(after).points, firstOf(before).points);
@@ -104,7 +102,7 @@ Curve smoothBezierSpline() {
 }
 
 TEST(MovePoints, anAnchorTakesItsHandlesWithIt) {
-    const Document before = documentOf(smoothBezierSpline());
+    const Document before = besideBystander(smoothBezierSpline());
     const Document after = movePoints(before, std::vector<PointId>{{0, 3}}, {7, 9});
     for (std::size_t i = 0; i < 7; ++i) {
         const Point was = firstOf(before).points.at(i);
@@ -113,7 +111,7 @@ TEST(MovePoints, anAnchorTakesItsHandlesWithIt) {
 }
 
 TEST(MovePoints, aHandleTurnsItsPartnerAlong) {
-    const Document before = documentOf(smoothBezierSpline());
+    const Document before = besideBystander(smoothBezierSpline());
     // From (110, 56) to (113, 55): below the anchor, so the partner ends up above it, as far as
     // ever.
     const Document after = movePoints(before, std::vector<PointId>{{0, 2}}, {3, -1});
@@ -125,7 +123,7 @@ TEST(MovePoints, aHandleTurnsItsPartnerAlong) {
 TEST(MovePoints, aHandleOfACornerMovesAlone) {
     Curve curve = smoothBezierSpline();
     curve.points.set(4, {113, 68});
-    const Document before = documentOf(curve);
+    const Document before = besideBystander(curve);
     const Document after = movePoints(before, std::vector<PointId>{{0, 2}}, {3, -1});
     EXPECT_EQ(firstOf(after).points.at(4), Point({113, 68}));
 }
@@ -133,7 +131,7 @@ TEST(MovePoints, aHandleOfACornerMovesAlone) {
 TEST(Insert, onABezierSplineKeepsTheShape) {
     for (const bool closed : {false, true}) {
         const Curve curve = planeCurve("bezier-spline", closed ? 9 : 10, closed);
-        const Document before = documentOf(curve);
+        const Document before = besideBystander(curve);
         const Pieces old = piecesOf(curve);
         for (std::size_t segment = 0; segment < old.size(); ++segment) {
             const double at = 0.3;
@@ -162,7 +160,7 @@ TEST(Insert, elsewhereTheNewPointLandsOnTheOldCurve) {
         if (familyOf(curve).hasHandles || familyOf(curve).usesKnots) {
             continue;
         }
-        const Document before = documentOf(curve);
+        const Document before = besideBystander(curve);
         const Pieces old = piecesOf(curve);
         for (std::size_t segment = 0; segment < old.size(); ++segment) {
             const Spot spot{segment, 0.4};
@@ -193,7 +191,7 @@ TEST(Append, addsAfterTheLastAndGivesBezierSplinesTheirHandles) {
 }
 
 TEST(Delete, takesPointsAndTheirTangents) {
-    const Document before = documentOf(planeCurve("hermite", 6));
+    const Document before = besideBystander(planeCurve("hermite", 6));
     const Document after = deletePoints(before, std::vector<PointId>{{0, 5}, {0, 1}, {0, 1}});
     expectPlausible(before, after, "delete");
     ASSERT_EQ(firstOf(after).points.size(), 4u);
@@ -202,7 +200,7 @@ TEST(Delete, takesPointsAndTheirTangents) {
 }
 
 TEST(Delete, takesTheCurveWithItsLastPoint) {
-    const Document before = documentOf(planeCurve("cardinal", 2));
+    const Document before = besideBystander(planeCurve("cardinal", 2));
     const Document after = deletePoints(before, std::vector<PointId>{{0, 0}, {0, 1}});
     ASSERT_EQ(after.curves.size(), 1u);
     EXPECT_EQ(after.curves[0], before.curves[1]);
@@ -210,7 +208,7 @@ TEST(Delete, takesTheCurveWithItsLastPoint) {
 
 /// Which old points are left after deleting an anchor of a Bézier spline.
 std::vector<std::size_t> leftAfterDeleting(const Curve& curve, std::size_t anchor) {
-    const Document after = deletePoints(documentOf(curve), std::vector<PointId>{{0, anchor}});
+    const Document after = deletePoints(besideBystander(curve), std::vector<PointId>{{0, anchor}});
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < firstOf(after).points.size(); ++i) {
         for (std::size_t k = 0; k < curve.points.size(); ++k) {
@@ -237,7 +235,7 @@ TEST(Delete, anAnchorGoesWithItsHandles) {
 
 TEST(SetFamily, keepsThePointsAndMakesACurveThatCanBeDrawn) {
     for (const auto& form : everyForm()) {
-        const Document before = documentOf(planeCurve(form.family, 7, form.closed));
+        const Document before = besideBystander(planeCurve(form.family, 7, form.closed));
         for (const auto& family : familyIds()) {
             const Document after = setFamily(before, 0, family);
             expectPlausible(before, after, form.family + " to " + family);
@@ -250,7 +248,7 @@ TEST(SetFamily, keepsThePointsAndMakesACurveThatCanBeDrawn) {
 
 TEST(SetFamily, hermiteStartsAsCatmullRom) {
     for (const bool closed : {false, true}) {
-        const Document before = documentOf(planeCurve("cardinal", 6, closed));
+        const Document before = besideBystander(planeCurve("cardinal", 6, closed));
         const Pieces cardinal = piecesOf(firstOf(before));
         const Document after = setFamily(before, 0, "hermite");
         const Pieces hermite = piecesOf(firstOf(after));
@@ -263,7 +261,7 @@ TEST(SetFamily, hermiteStartsAsCatmullRom) {
 }
 
 TEST(SetFamily, theUsualEndsBecomeTheUsualEnds) {
-    const Document cardinal = documentOf(planeCurve("cardinal", 5));
+    const Document cardinal = besideBystander(planeCurve("cardinal", 5));
     EXPECT_EQ(firstOf(setFamily(cardinal, 0, "nurbs")).ends, Ends::clamped);
     EXPECT_EQ(firstOf(setFamily(setFamily(cardinal, 0, "nurbs"), 0, "cardinal")).ends,
               Ends::doubled);
@@ -282,7 +280,7 @@ Curve fullNurbs() {
 }
 
 TEST(SetFamily, aBSplineAndNurbsKeepWhatBothHave) {
-    const Document before = documentOf(fullNurbs());
+    const Document before = besideBystander(fullNurbs());
     const Document plain = setFamily(before, 0, "b-spline");
     EXPECT_EQ(firstOf(plain).knots, firstOf(before).knots);
     EXPECT_EQ(firstOf(plain).parameters, firstOf(before).parameters);
@@ -297,7 +295,7 @@ TEST(SetFamily, aBSplineAndNurbsKeepWhatBothHave) {
 }
 
 TEST(OwnKnots, giveWayToAnotherEndDegreeSpacingOrClosing) {
-    const Document before = documentOf(fullNurbs());
+    const Document before = besideBystander(fullNurbs());
     for (const Document& after :
          {setEnds(before, 0, Ends::reflected), setParameter(before, 0, "degree", 3),
           setParameter(before, 0, "alpha", 1), setClosed(before, 0, true)}) {
@@ -312,7 +310,7 @@ TEST(OwnKnots, giveWayToAnotherEndDegreeSpacingOrClosing) {
 }
 
 TEST(SetWeight, storesTheListFromTheFirstThatIsNotOne) {
-    const Document before = documentOf(planeCurve("nurbs", 4));
+    const Document before = besideBystander(planeCurve("nurbs", 4));
     const Document after = setWeight(before, 0, 2, 2.5);
     expectPlausible(before, after, "weight");
     EXPECT_EQ(firstOf(after).weights, (std::vector<double>{1, 1, 2.5, 1}));
@@ -321,13 +319,13 @@ TEST(SetWeight, storesTheListFromTheFirstThatIsNotOne) {
     EXPECT_EQ(firstOf(setWeight(after, 0, 0, 3)).weights, (std::vector<double>{3, 1, 2.5, 1}));
     EXPECT_EQ(setWeight(before, 0, 1, 1), before);
     EXPECT_EQ(setWeight(before, 0, 9, 2), before) << "no such point";
-    const Document cardinal = documentOf(planeCurve("cardinal", 4));
+    const Document cardinal = besideBystander(planeCurve("cardinal", 4));
     EXPECT_EQ(setWeight(cardinal, 0, 1, 2), cardinal) << "no weights there";
     EXPECT_TRUE(problemOf(setWeight(before, 0, 1, 0))) << "to be refused in words";
 }
 
 TEST(Local, aParameterBecomesLocalWithoutAChangeOfShape) {
-    Document before = documentOf(planeCurve("cardinal", 5));
+    Document before = besideBystander(planeCurve("cardinal", 5));
     before = setParameter(before, 0, "tension", 0.75);
     const Document after = makeLocal(before, 0, "tension");
     expectPlausible(before, after, "local");
@@ -339,12 +337,12 @@ TEST(Local, aParameterBecomesLocalWithoutAChangeOfShape) {
     EXPECT_EQ(makeGlobal(after, 0, "tension"), before);
     EXPECT_EQ(makeGlobal(before, 0, "tension"), before) << "it is already";
     EXPECT_EQ(makeLocal(before, 0, "slack"), before);
-    const Document duff = documentOf(planeCurve("duff", 5));
+    const Document duff = besideBystander(planeCurve("duff", 5));
     EXPECT_EQ(makeLocal(duff, 0, "tension"), duff) << "not in this family";
 }
 
 TEST(Local, isSetAtSomePointsOrAtAll) {
-    const Document before = documentOf(planeCurve("kochanek-bartels", 4));
+    const Document before = besideBystander(planeCurve("kochanek-bartels", 4));
     const Document some = setLocal(before, 0, "bias", std::vector<std::size_t>{1, 3, 9}, 0.5);
     expectPlausible(before, some, "some");
     EXPECT_EQ(firstOf(some).local.at("bias"), (std::vector<double>{0, 0.5, 0, 0.5}));
@@ -356,7 +354,7 @@ TEST(Local, isSetAtSomePointsOrAtAll) {
 }
 
 TEST(Local, becomesOneValueAgain) {
-    Document before = documentOf(planeCurve("beta", 4));
+    Document before = besideBystander(planeCurve("beta", 4));
     before = setParameter(before, 0, "tension", 7);
     const Document agreed = makeGlobal(setLocal(before, 0, "tension", {}, 20), 0, "tension");
     EXPECT_EQ(parameterOf(firstOf(agreed), "tension"), 20) << "on which all points agree";
@@ -366,7 +364,7 @@ TEST(Local, becomesOneValueAgain) {
 }
 
 TEST(SetClosed, aBezierSplineClosesSmoothlyAndOpensAgain) {
-    const Document before = documentOf(smoothBezierSpline());
+    const Document before = besideBystander(smoothBezierSpline());
     const Document closed = setClosed(before, 0, true);
     expectPlausible(before, closed, "closed");
     EXPECT_EQ(piecesOf(firstOf(closed)).size(), 3u);
@@ -391,7 +389,7 @@ TEST(Handles, knowTheirAnchorsAndPartners) {
 }
 
 /// One random edit of curve 0.
-Document randomEdit(const Document& document, Dice& dice) {
+Document randomlyEdited(const Document& document, Dice& dice) {
     const Curve& curve = *document.curves[0];
     const auto any = static_cast<std::size_t>(
         dice.whole(0, std::max(0, static_cast<int>(curve.points.size()) - 1)));
@@ -420,11 +418,11 @@ Document randomEdit(const Document& document, Dice& dice) {
 TEST(Edits, inAnyOrderMakeDrawableDocumentsAndLeaveTheOldOnesAlone) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         Dice dice(seed);
-        Document document = documentOf(planeCurve("cardinal", 4));
+        Document document = besideBystander(planeCurve("cardinal", 4));
         for (int step = 0; step < 60; ++step) {
             const Document before = document;
             const Curve copy = *before.curves[0];
-            Document next = randomEdit(document, dice);
+            Document next = randomlyEdited(document, dice);
             ASSERT_EQ(*before.curves[0], copy) << "seed " << seed << " step " << step;
             if (next.curves.size() < 2) {
                 break; // the last anchor is gone, and with it the curve
@@ -451,7 +449,8 @@ TEST(MovePoints, leavesFourteenDigits) {
         const double b = k % 3 == 0 ? std::round(1e5 * random()) / 1e3 : size * random();
         Curve curve = planeCurve("cardinal", 4);
         curve.points.set(0, {a, 1});
-        const Document after = movePoints(documentOf(curve), std::vector<PointId>{{0, 0}}, {b, 0});
+        const Document after =
+            movePoints(besideBystander(curve), std::vector<PointId>{{0, 0}}, {b, 0});
         std::array<char, 40> text{};
         std::snprintf(text.data(), text.size(), "%.13e", a + b);
         EXPECT_EQ(after.curves[0]->points[0][0], b == 0 ? a : std::strtod(text.data(), nullptr))

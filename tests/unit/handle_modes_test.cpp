@@ -3,6 +3,7 @@
 
 #include "core/document/edits.h"
 #include "core/document/handles.h"
+#include "tests/documents.h"
 #include "tests/property/random_curves.h"
 
 #include <cmath>
@@ -12,10 +13,6 @@ namespace {
 
 using namespace testing_curves;
 using enum HandleMode;
-
-Document documentOf(Curve curve) {
-    return {{std::make_shared<Curve>(std::move(curve))}, "{}"};
-}
 
 /// Anchors at 0, 3, 6, 9: mirrored at 3, aligned at 6.
 Document smooth() {
@@ -197,7 +194,7 @@ TEST(HandleModes, succeedEachOther) {
 }
 
 /// One random edit of a Bézier spline.
-Document randomEdit(const Document& document, Dice& dice) {
+Document withHandlesEdited(const Document& document, Dice& dice) {
     const Curve& curve = *document.curves[0];
     const auto any =
         static_cast<std::size_t>(dice.whole(0, static_cast<int>(curve.points.size()) - 1));
@@ -222,7 +219,7 @@ TEST(HandleModes, staySoundOnAnyWay) {
     Document document = smooth();
     std::size_t stored = 0;
     for (int step = 0; step < 4000; ++step) {
-        Document next = randomEdit(document, dice);
+        Document next = withHandlesEdited(document, dice);
         ASSERT_FALSE(problemOf(next)) << "step " << step;
         const auto& entry = entryOf(next);
         for (const auto& [anchor, mode] : entry.handleModes) {

@@ -3,6 +3,8 @@
 
 #include "tests/unit/random_pieces.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace splineloft::gauss {

@@ -15,7 +15,7 @@ namespace {
 using namespace testing_curves;
 constexpr double pi = std::numbers::pi;
 
-std::vector<Curve> curvesOf(const std::string& data) {
+std::vector<Curve> drawn(const std::string& data) {
     auto curves = curvesFromPathData(data);
     EXPECT_TRUE(curves) << data << ": " << curves.refusal().message();
     for (const auto& curve : curves ? *curves : std::vector<Curve>()) {
@@ -24,8 +24,8 @@ std::vector<Curve> curvesOf(const std::string& data) {
     return curves ? *curves : std::vector<Curve>();
 }
 
-Curve only(const std::string& data) {
-    const auto curves = curvesOf(data);
+Curve drawnAlone(const std::string& data) {
+    const auto curves = drawn(data);
     EXPECT_EQ(curves.size(), 1u) << data;
     return curves.empty() ? Curve() : curves.front();
 }
@@ -47,7 +47,7 @@ class KnownPath : public testing::TestWithParam<Known> {};
 
 TEST_P(KnownPath, isTheCurveThatItIs) {
     const auto& known = GetParam();
-    const Curve curve = only(known.data);
+    const Curve curve = drawnAlone(known.data);
     EXPECT_EQ(curve.family, known.family);
     EXPECT_EQ(curve.closed, known.closed);
     ASSERT_EQ(curve.points.size(), known.points);
@@ -105,30 +105,30 @@ INSTANTIATE_TEST_SUITE_P(Svg, KnownPath,
                              {"M0 0A3 4 0 0 0 3 4L0 0", spline, false, 7, {0, 0}, 10.525}}));
 
 TEST(SvgPath, anotherSubpathBeginsAfterEveryMoveAndClosing) {
-    const auto curves = curvesOf("M0 0h4v4zM9 9h1l2 2zl1 1m5 5c1 1 2 2 3 3");
+    const auto curves = drawn("M0 0h4v4zM9 9h1l2 2zl1 1m5 5c1 1 2 2 3 3");
     ASSERT_EQ(curves.size(), 4u);
     EXPECT_TRUE(curves[0].closed);
     EXPECT_TRUE(curves[1].closed);
     EXPECT_EQ(curves[2].points, (Points{{9, 9}, {10, 10}})) << "from the start of the closed one";
     EXPECT_EQ(curves[3].points.at(0), Point({15, 15}));
     EXPECT_EQ(curves[3].family, "bezier-spline");
-    EXPECT_TRUE(curvesOf("").empty());
-    EXPECT_TRUE(curvesOf("M5 5").empty());
-    EXPECT_TRUE(curvesOf("M5 5zm1 1z").empty());
+    EXPECT_TRUE(drawn("").empty());
+    EXPECT_TRUE(drawn("M5 5").empty());
+    EXPECT_TRUE(drawn("M5 5zm1 1z").empty());
 }
 
 TEST(SvgPath, closingAddsTheStraightPieceThatIsMissing) {
-    const Curve open = only("M0 0C0 3 6 3 6 0Z");
+    const Curve open = drawnAlone("M0 0C0 3 6 3 6 0Z");
     EXPECT_TRUE(open.closed);
     EXPECT_EQ(open.points, (Points{{0, 0}, {0, 3}, {6, 3}, {6, 0}, {4, 0}, {2, 0}}));
-    const Curve back = only("M0 0C0 3 6 3 6 0C6-3 0-3 1e-9 0Z");
+    const Curve back = drawnAlone("M0 0C0 3 6 3 6 0C6-3 0-3 1e-9 0Z");
     EXPECT_EQ(back.points.size(), 6u) << "the rounding of relative coordinates";
-    EXPECT_FALSE(only("M1 1L3 1Z").closed && only("M1 1h0z").closed);
+    EXPECT_FALSE(drawnAlone("M1 1L3 1Z").closed && drawnAlone("M1 1h0z").closed);
 }
 
 TEST(SvgPath, arcsLieOnTheirEllipses) {
     // A tilted ellipse: every place of the curve, turned back, is on it.
-    const Curve curve = only("M20 10A30 10 30 1 1 25 5");
+    const Curve curve = drawnAlone("M20 10A30 10 30 1 1 25 5");
     const Pieces pieces = piecesOf(curve);
     const auto box = bounds(pieces);
     const Point center = 0.5 * (box->low + box->high);
@@ -142,19 +142,19 @@ TEST(SvgPath, arcsLieOnTheirEllipses) {
             EXPECT_NEAR(std::hypot(x, y), 1, 0.02) << i << ' ' << u;
         }
     }
-    const Pieces quarter = piecesOf(only("M100 0A100 100 0 0 1 0 100"));
+    const Pieces quarter = piecesOf(drawnAlone("M100 0A100 100 0 0 1 0 100"));
     for (const double u : {0.1, 0.21, 0.5, 0.8}) {
         EXPECT_NEAR(norm(quarter.position({0, u})), 100, 0.03);
     }
 }
 
-struct Refused {
+struct BadPath {
     std::string data, place, what, remedy;
 };
 
 TEST(SvgPath, refusesWithThePlaceAndWhatWouldBeRight) {
     for (const auto& [data, place, what, remedy] :
-         std::vector<Refused>{{"L1 2", "byte 0", "\"L\"", "M or m"},
+         std::vector<BadPath>{{"L1 2", "byte 0", "\"L\"", "M or m"},
                               {"M1", "byte 2", "the data end", "a number"},
                               {"M1 2 3", "byte 6", "the data end", "a number"},
                               {"M1 2L3 x", "byte 7", "no number", "a number"},

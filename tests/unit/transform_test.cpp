@@ -2,6 +2,7 @@
 #include "core/document/edits.h"
 #include "core/document/plane_map.h"
 
+#include "tests/documents.h"
 #include "tests/property/random_curves.h"
 
 #include <cmath>
@@ -17,14 +18,6 @@ constexpr double quarterTurn = std::numbers::pi / 2;
 void expectNear(PlanePlace ours, PlanePlace wanted) {
     EXPECT_NEAR(ours.x, wanted.x, 1e-12);
     EXPECT_NEAR(ours.y, wanted.y, 1e-12);
-}
-
-Document documentOf(Curve curve) {
-    return {{std::make_shared<Curve>(std::move(curve))}, "{}"};
-}
-
-const Curve& firstOf(const Document& document) {
-    return *document.curves[0];
 }
 
 TEST(PlaneMap, movesScalesAndTurnsToTheLeft) {

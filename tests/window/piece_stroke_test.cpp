@@ -15,9 +15,9 @@
 namespace splineloft {
 namespace {
 
-constexpr int across = 400, down = 300; // pixels
-constexpr ui::ScreenRect frame{0, 0, across, down};
-constexpr ui::Colour white{255, 255, 255, 255};
+constexpr int frameWidth = 400, frameHeight = 300; // pixels
+constexpr ui::ScreenRect frame{0, 0, frameWidth, frameHeight};
+constexpr ui::Colour lineColour{255, 255, 255, 255};
 
 /// A wavy line of so many points, `offset` away from the origin.
 Curve wavy(std::string_view family, std::size_t count, double offset = 0) {
@@ -46,9 +46,9 @@ struct Comparison {
 
 Comparison compared(const app::Image& a, const app::Image& b) {
     Comparison result;
-    const double pixels = across * down;
-    for (int y = 0; y < down; ++y) {
-        for (int x = 0; x < across; ++x) {
+    const double pixels = frameWidth * frameHeight;
+    for (int y = 0; y < frameHeight; ++y) {
+        for (int x = 0; x < frameWidth; ++x) {
             const int one = a.pixel(x, y)[0];
             const int other = b.pixel(x, y)[0];
             result.differing += std::abs(one - other) > 40 ? 1 / pixels : 0;
@@ -65,7 +65,7 @@ class PieceStrokes : public testing::Test {
         ui::FrameResult result;
         result.background = {0, 0, 0, 255};
         result.pictures.push_back(picture);
-        return app::drawOffscreen(renderer_, result, {across, down, 1});
+        return app::drawOffscreen(renderer_, result, {frameWidth, frameHeight, 1});
     }
 
     /// The curve as runs of pieces; `more` strokes may be wanted of the plane.
@@ -104,7 +104,7 @@ TEST_F(PieceStrokes, lookLikeStrokesLaidOut) {
             for (const double pixelsPerUnit : {0.5, 1.0, 4.0}) {
                 const ui::Viewport viewport{{{offset + 200.03, offset + 0.7}, pixelsPerUnit},
                                             frame};
-                const ui::StrokeStyle style{3, 0, 0, white};
+                const ui::StrokeStyle style{3, 0, 0, lineColour};
                 const auto found = compared(drawPieces(plane, viewport, style),
                                             drawLaidOut(plane, viewport, style));
                 EXPECT_GT(found.brightness, 0.005) << family;
@@ -129,7 +129,7 @@ TEST_F(PieceStrokes, areCrispInASmallPartOfAFarAwayPlane) {
     const Pieces pieces = piecesOf(curve);
     const ui::PlaneStudy plane(curve, pieces, {});
     const ui::Viewport viewport{{{offset + 50e-5, offset}, 3e5}, frame};
-    const ui::StrokeStyle style{2, 0, 0, white};
+    const ui::StrokeStyle style{2, 0, 0, lineColour};
     const auto found =
         compared(drawPieces(plane, viewport, style), drawLaidOut(plane, viewport, style));
     EXPECT_GT(found.brightness, 0.005);
@@ -141,7 +141,7 @@ TEST_F(PieceStrokes, followThePointsThatMove) {
     LivePieces live(curve, curve.points, curve.tangents);
     ui::PlaneStudy plane(curve, live.pieces(), {});
     const ui::Viewport viewport{{{150.2, 0.3}, 1.2}, frame};
-    const ui::StrokeStyle style{3, 0, 0, white};
+    const ui::StrokeStyle style{3, 0, 0, lineColour};
     drawPieces(plane, viewport, style);
     for (const std::size_t moved : {1500, 1563, 0, 2999}) {
         Curve next = curve;
@@ -164,8 +164,8 @@ TEST_F(PieceStrokes, ofTranslucentColourAreNoLessEven) {
     // Where a stroke is drawn twice it is brighter.
     const auto brighter = [](const app::Image& image) {
         int count = 0;
-        for (int y = 0; y < down; ++y) {
-            for (int x = 0; x < across; ++x) {
+        for (int y = 0; y < frameHeight; ++y) {
+            for (int x = 0; x < frameWidth; ++x) {
                 count += image.pixel(x, y)[0] > 130 ? 1 : 0;
             }
         }
@@ -184,7 +184,7 @@ TEST_F(PieceStrokes, closeWhereTheyShould) {
         ui::Scene scene;
         ui::drawPolygon(scene, plane, closed, {}, viewport);
         ASSERT_EQ(scene.pieces.size(), 1U);
-        scene.pieces[0].stroke.style = {3, 0, 0, white};
+        scene.pieces[0].stroke.style = {3, 0, 0, lineColour};
         const auto image = draw(pictureOf({scene.pieces[0].stroke}));
         // Along the straight line from the last point back to the first.
         const auto first = viewport.toScreen(plane.points().places().front());

@@ -10,8 +10,8 @@ namespace splineloft::ui {
 namespace {
 
 // Design pixels.
-constexpr double margin = 18;    // between the outermost points and the frame
-constexpr double ringAbove = 26; // the frame
+constexpr double gizmoMargin = 18; // between the outermost points and the frame
+constexpr double ringAbove = 26;   // the frame
 constexpr double gripReach = 9;
 
 double degreesOf(double radians) {
@@ -123,7 +123,7 @@ std::optional<Gizmo> gizmoOf(const Document& document, const View& view, const V
     }
     const ScreenPoint a = viewport.toScreen({box->low.x, box->high.y});
     const ScreenPoint b = viewport.toScreen({box->high.x, box->low.y});
-    const double m = margin * scale;
+    const double m = gizmoMargin * scale;
     const ScreenRect frame{a.x - m, a.y - m, b.x - a.x + 2 * m, b.y - a.y + 2 * m};
     return Gizmo{*box, frame, {frame.left + frame.width / 2, frame.top - ringAbove * scale}};
 }

@@ -9,8 +9,6 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr double overhang = 40;      // pixels around the frame in which lines may still be seen
-constexpr double flatness = 0.1;     // pixels between a curve and the segments that stand for it
 constexpr double smallest = 0.7;     // pixels: several pieces no larger than this are one segment
 constexpr std::size_t finest = 64;   // segments for one piece
 constexpr std::size_t coarsest = 64; // pieces for one segment
@@ -29,7 +27,8 @@ PieceRun runOf(const Range& block, const Detail& detail, int degree, double pixe
     // The chord of a part of length h in u is within h^2 max|P''| / 8 of it, and the second
     // derivative within d (d - 1) times the largest second difference of the Bézier points.
     const double bend = degree * (degree - 1) * detail.bend * pixelsPerUnit / 8;
-    const double wanted = std::clamp(std::sqrt(bend / flatness), 1.0, static_cast<double>(finest));
+    const double wanted =
+        std::clamp(std::sqrt(bend / lineFlatness), 1.0, static_cast<double>(finest));
     run.segments = std::bit_ceil(static_cast<std::size_t>(std::ceil(wanted)));
     return run;
 }
@@ -154,7 +153,7 @@ std::size_t membersOf(std::span<const Range> ranges) {
 
 std::vector<Range> rangesInView(const BoxTree& boxes, const Viewport& viewport) {
     std::vector<Range> ranges;
-    boxes.touching(viewport.visible(overhang), [&](std::size_t index) {
+    boxes.touching(viewport.visible(lineOverhang), [&](std::size_t index) {
         const Range block = boxes.block(index);
         if (!ranges.empty() && ranges.back().last == block.first) {
             ranges.back().last = block.last;

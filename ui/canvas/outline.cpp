@@ -7,9 +7,7 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr double flatness = 0.1; // pixels
-constexpr int deepest = 18;      // halvings of one piece
-constexpr double overhang = 40;  // pixels around the frame in which lines may still be seen
+constexpr int mostHalvings = 18; // of one piece
 
 /// A Bézier point on the screen, homogeneous: both coordinates times its weight, which is 1 on
 /// polynomial pieces.
@@ -24,10 +22,10 @@ bool isOutside(const Hull& hull, const ScreenRect& frame) {
     const auto all = [&](auto test) {
         return std::ranges::all_of(hull, [&](const Corner& c) { return test(c.place()); });
     };
-    return all([&](ScreenPoint p) { return p.x < frame.left - overhang; }) ||
-           all([&](ScreenPoint p) { return p.x > frame.right() + overhang; }) ||
-           all([&](ScreenPoint p) { return p.y < frame.top - overhang; }) ||
-           all([&](ScreenPoint p) { return p.y > frame.bottom() + overhang; });
+    return all([&](ScreenPoint p) { return p.x < frame.left - lineOverhang; }) ||
+           all([&](ScreenPoint p) { return p.x > frame.right() + lineOverhang; }) ||
+           all([&](ScreenPoint p) { return p.y < frame.top - lineOverhang; }) ||
+           all([&](ScreenPoint p) { return p.y > frame.bottom() + lineOverhang; });
 }
 
 /// Whether the inner Bézier points are so near to their places on an evenly run line that the curve
@@ -46,7 +44,7 @@ bool isFlat(const Hull& hull) {
         if (uneven > 2 && std::hypot(c.x - a.x, c.y - a.y) > 1) {
             return false;
         }
-        if (!(bound * std::hypot(bendX, bendY) <= flatness)) {
+        if (!(bound * std::hypot(bendX, bendY) <= lineFlatness)) {
             return false;
         }
     }
@@ -55,7 +53,7 @@ bool isFlat(const Hull& hull) {
 
 /// Adds everything after the first point of the hull's curve.
 void add(std::vector<ScreenPoint>& line, Hull hull, const ScreenRect& frame, int depth) {
-    if (depth == deepest || isFlat(hull) || isOutside(hull, frame)) {
+    if (depth == mostHalvings || isFlat(hull) || isOutside(hull, frame)) {
         line.push_back(hull.back().place());
         return;
     }

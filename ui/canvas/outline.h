@@ -7,6 +7,11 @@
 
 namespace splineloft::ui {
 
+/// How far the segments that stand for a curve may be from it, in pixels.
+inline constexpr double lineFlatness = 0.1;
+/// How far around the frame lines may still be seen, in pixels.
+inline constexpr double lineOverhang = 40;
+
 /// The part of a plane curve that matters in a viewport, as polylines within a tenth of a pixel of
 /// it. Each piece is halved until it is flat or lies wholly outside; pieces follow one another
 /// without a break. Crisp at any zoom, with bounded work.

@@ -9,7 +9,7 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr double margin = 8; // design pixels
+constexpr double thumbnailMargin = 8; // design pixels
 // On a stamp more pieces than this fall together; a place on each so many is enough.
 constexpr std::size_t mostPieces = 1000;
 
@@ -46,9 +46,9 @@ Thumbnail thumbnailOf(const Document& document) {
         return lines;
     }
     const ScreenRect frame{0, 0, thumbnailWidth, thumbnailHeight};
-    const Viewport viewport{
-        fitted({whole->low[0], whole->low[1]}, {whole->high[0], whole->high[1]}, frame, margin),
-        frame};
+    const Viewport viewport{fitted({whole->low[0], whole->low[1]}, {whole->high[0], whole->high[1]},
+                                   frame, thumbnailMargin),
+                            frame};
     for (const auto& plane : planes) {
         if (!plane.empty()) {
             lines.push_back(lineOf(plane, viewport));

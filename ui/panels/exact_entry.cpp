@@ -15,14 +15,14 @@ namespace {
 
 // Design pixels.
 constexpr double aside = 20; // of the point
-constexpr double fieldWidth = 128;
+constexpr double entryWidth = 128;
 constexpr double windowWidth = 190; // about
-constexpr double rowHeight = 32;    // about
+constexpr double entryHeight = 32;  // about
 
 /// Where the window stands: beside the point, and within the canvas.
 ImVec2 cornerFor(ScreenPoint point, std::size_t rows, const Stage& stage) {
     const auto& r = stage.rect;
-    const double height = (static_cast<double>(rows) * rowHeight + 64) * stage.scale;
+    const double height = (static_cast<double>(rows) * entryHeight + 64) * stage.scale;
     const double x = std::clamp(point.x + aside * stage.scale, r.left,
                                 std::max(r.right() - windowWidth * stage.scale, r.left));
     const double y =
@@ -35,7 +35,7 @@ std::optional<double> row(const std::string& label, double value, const Stage& s
     ImGui::TextUnformatted(label.c_str());
     ImGui::SameLine(stage.px(48));
     ImGui::PushID(label.c_str());
-    const auto entered = numberField("##value", value, stage.px(fieldWidth));
+    const auto entered = numberField("##value", value, stage.px(entryWidth));
     ImGui::PopID();
     return entered;
 }

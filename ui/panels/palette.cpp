@@ -13,11 +13,11 @@ namespace {
 
 // Design pixels.
 constexpr double usualWidth = 560;
-constexpr double rowHeight = 28;
+constexpr double commandHeight = 28;
 constexpr double top = 40;
 constexpr double fieldAndMargins = 90;
 
-constexpr int mostRows = 12;
+constexpr int mostCommands = 12;
 
 /// The title with its matched letters set off, from a place on.
 void drawTitle(const FoundCommand& found, ImVec2 at, Colour colour, Colour matched) {
@@ -49,9 +49,9 @@ bool drawRow(const Session& session, const FoundCommand& found, bool chosen, con
     const bool possible = found.command->possible(session);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    const bool clicked =
-        ImGui::Selectable(("##" + found.command->id).c_str(), chosen, 0, {0, window.px(rowHeight)});
-    const float y = corner.y + (window.px(rowHeight) - ImGui::GetTextLineHeight()) / 2;
+    const bool clicked = ImGui::Selectable(("##" + found.command->id).c_str(), chosen, 0,
+                                           {0, window.px(commandHeight)});
+    const float y = corner.y + (window.px(commandHeight) - ImGui::GetTextLineHeight()) / 2;
     // What is impossible now is as quiet as it can be and still be read on any ground.
     const Colour colour = possible ? s.text : mixed(s.text, s.panel, 0.6);
     drawTitle(found, {corner.x + window.px(8), y}, colour, possible ? s.accent : colour);
@@ -113,13 +113,15 @@ void drawPalette(Session& session, const Stage& window) {
     const auto found = findCommands(session, palette.typed.data());
     const bool moved = moveChoice(palette, found.size());
     const double room = window.rect.height / window.scale - top - fieldAndMargins;
-    const auto rows = std::min({static_cast<double>(found.size()), static_cast<double>(mostRows),
-                                std::max(std::floor(room / rowHeight), 1.0)});
+    const auto rows =
+        std::min({static_cast<double>(found.size()), static_cast<double>(mostCommands),
+                  std::max(std::floor(room / commandHeight), 1.0)});
     const Command* taken = nullptr;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     if (found.empty()) {
         ImGui::TextDisabled("No command is called that.");
-    } else if (ImGui::BeginChild("found", {0, static_cast<float>(rows) * window.px(rowHeight)})) {
+    } else if (ImGui::BeginChild("found",
+                                 {0, static_cast<float>(rows) * window.px(commandHeight)})) {
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (drawRow(session, found[i], i == palette.chosen, window)) {
                 taken = found[i].command;

@@ -10,7 +10,7 @@
 namespace splineloft::ui {
 namespace {
 
-constexpr double rowHeight = 92; // design pixels: three lines and a button
+constexpr double offerHeight = 92; // design pixels: three lines and a button
 
 std::string counted(std::size_t count, const char* thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
@@ -73,7 +73,7 @@ void drawRecoveryOffer(Session& session, const Stage& window) {
     quietText("Restoring opens it as unsaved changes; files stay as they are until you save.",
               window);
     ImGui::Spacing();
-    const float row = window.px(rowHeight) + 2 * ImGui::GetStyle().ItemSpacing.y;
+    const float row = window.px(offerHeight) + 2 * ImGui::GetStyle().ItemSpacing.y;
     const float wanted = row * static_cast<float>(session.unsavedWork.size()) + window.px(20);
     const float room = static_cast<float>(window.rect.height) - window.px(260);
     if (ImGui::BeginChild("work", {window.px(600), std::clamp(wanted, row, std::max(row, room))},

@@ -16,7 +16,7 @@ constexpr double numbersWidth = 190;
 constexpr double segmentsWidth = 210;
 constexpr double gap = 44;
 constexpr double leastForNumbers = 560;
-constexpr double margin = 14;
+constexpr double stripMargin = 14;
 
 /// An area that moves the cursor while the button is held on it; returns the value under it.
 std::optional<double> slidOver(const char* id, const PlotFrame& plot) {
@@ -105,7 +105,7 @@ std::optional<StripFrames> drawStrip(const Session& session, View& view, const S
     if (stage.rect.height < (headHeight + footHeight + 40) * stage.scale) {
         return std::nullopt;
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(margin), stage.px(7)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(stripMargin), stage.px(7)});
     beginPanel("strip", stage,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);

@@ -25,8 +25,8 @@ constexpr std::array buttons = {RailButton{"↖", "tool.select"},      RailButto
 
 // Design pixels.
 constexpr double usualSide = 34;
-constexpr double usualGap = 7;
-constexpr double margin = 8;
+constexpr double railGap = 7;
+constexpr double railMargin = 8;
 constexpr double linesGap = 9; // around the line above a group
 
 constexpr double roomForUsualSigns = 0.6; // part of the usual side
@@ -34,8 +34,8 @@ constexpr double roomForUsualSigns = 0.6; // part of the usual side
 /// Where the window is low everything comes closer together, so that no button is cut off.
 double squeeze(const Stage& stage) {
     const auto groups = std::ranges::count(buttons, true, &RailButton::startsGroup);
-    const double wanted = static_cast<double>(buttons.size()) * (usualSide + usualGap) +
-                          static_cast<double>(groups) * (2 * linesGap + usualGap) + 2 * margin;
+    const double wanted = static_cast<double>(buttons.size()) * (usualSide + railGap) +
+                          static_cast<double>(groups) * (2 * linesGap + railGap) + 2 * railMargin;
     return std::min(stage.rect.height / stage.scale / wanted, 1.0);
 }
 
@@ -70,10 +70,10 @@ void drawButton(Session& session, const RailButton& button, double height, const
 
 void drawToolRail(Session& session, const Stage& stage) {
     const double part = squeeze(stage);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(6), stage.px(part * margin)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {stage.px(6), stage.px(part * railMargin)});
     beginPanel("tools", stage, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, stage.px(part * usualGap)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, stage.px(part * railGap)});
     ImGui::PushFont(font(part < roomForUsualSigns ? Face::small : Face::regular));
     for (const auto& button : buttons) {
         if (button.startsGroup) {

@@ -18,9 +18,9 @@ constexpr int deepest = 54;
 constexpr int mostCuts = 20'000;
 
 /// One search in one polynomial.
-class Search {
+class ZeroSearch {
   public:
-    Search(std::span<const double> coefficients, double rounding)
+    ZeroSearch(std::span<const double> coefficients, double rounding)
         : whole_(coefficients.begin(), coefficients.end()), rungs_(whole_.size()),
           rounding_(rounding) {
         const double largest = largestOf(whole_);
@@ -196,7 +196,7 @@ std::vector<double> rootsOf(std::span<const double> coefficients, double roundin
     Bernstein scaled(coefficients.begin(), coefficients.end());
     const double scale = scaleFor(largestOf(coefficients)); // slopes may overflow as they are
     std::ranges::transform(scaled, scaled.begin(), [=](double c) { return scale * c; });
-    return Search(scaled, scale * std::max(rounding, 0.0)).take();
+    return ZeroSearch(scaled, scale * std::max(rounding, 0.0)).take();
 }
 
 } // namespace splineloft

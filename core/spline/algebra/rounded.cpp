@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace splineloft {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // The relative rounding that Bézier points come with: families round a few times.
 constexpr double roundingOfPoints = 4 * epsilon;
 

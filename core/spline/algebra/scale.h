@@ -5,9 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace splineloft {
+
+/// From 1 to the next greater number: what rounding is measured in.
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// The largest size of any of the numbers; 0 of none.
 inline double largestOf(std::span<const double> numbers) {

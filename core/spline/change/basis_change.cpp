@@ -209,7 +209,7 @@ RationalMatrix powerPoints(int degree) {
     return matrix;
 }
 
-MatrixOrProblem ofDegree(int degree, RationalMatrix (*matrix)(int)) {
+MatrixOrProblem matrixOfDegree(int degree, RationalMatrix (*matrix)(int)) {
     constexpr int highest = 1000; // long before that the numbers do not fit
     if (degree < 0 || degree > highest) {
         return Problem{"/degree", "is " + std::to_string(degree), "0 or a little more"};
@@ -274,11 +274,11 @@ MatrixOrProblem basisChange(const CubicBasis& from, const CubicBasis& to) {
 }
 
 MatrixOrProblem bezierToPower(int degree) {
-    return ofDegree(degree, bernsteinMatrix);
+    return matrixOfDegree(degree, bernsteinMatrix);
 }
 
 MatrixOrProblem powerToBezier(int degree) {
-    return ofDegree(degree, powerPoints);
+    return matrixOfDegree(degree, powerPoints);
 }
 
 } // namespace splineloft

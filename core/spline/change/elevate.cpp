@@ -42,13 +42,6 @@ bool agrees(const Curve& curve, const Pieces& pieces, double tolerance) {
     return difference && difference->most <= tolerance;
 }
 
-std::variant<Curve, Problem> checked(Curve curve) {
-    if (auto problem = problemOf(curve)) {
-        return *problem;
-    }
-    return curve;
-}
-
 std::variant<Curve, Problem> elevatedBezier(const Curve& curve, const Pieces& pieces) {
     Curve result = curve;
     result.points = Points(curve.points.dimension());

@@ -2,20 +2,15 @@
 
 #include "core/spline/arrangement.h"
 #include "core/spline/change/knotted.h"
+#include "core/spline/digits.h"
+#include "core/spline/problem.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 
 namespace splineloft {
 namespace {
-
-std::string shortest(double value) {
-    std::array<char, 32> text{};
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
 
 bool hasKnots(const Curve& curve) {
     return familyOf(curve).usesKnots;
@@ -110,7 +105,7 @@ std::optional<Problem> insertionProblem(const Curve& curve, double t, int times,
         return std::nullopt;
     }
     return Problem{"/knots",
-                   "would have the knot " + shortest(t) + " " + std::to_string(wanted) + " times",
+                   "would have the knot " + allDigits(t) + " " + std::to_string(wanted) + " times",
                    "each at most " + std::to_string(most) + " times" +
                        (curve.closed ? " on a closed curve" : "")};
 }
@@ -199,13 +194,6 @@ std::variant<Curve, Problem> withKnotOfClosed(const Curve& curve, double at, int
     return result;
 }
 
-std::variant<Curve, Problem> checked(Curve curve) {
-    if (auto problem = problemOf(curve)) {
-        return *problem;
-    }
-    return curve;
-}
-
 } // namespace
 
 std::variant<Curve, Problem> withOwnKnots(const Curve& curve) {
@@ -258,8 +246,8 @@ std::variant<Curve, Problem> withKnot(const Curve& curve, double t, int times) {
     const double start = pieces.knots().start();
     const double end = pieces.knots().end();
     if (!(t >= start && t <= end)) {
-        return Problem{"/knots", "cannot take " + shortest(t) + ", which is not on the curve",
-                       "a value from " + shortest(start) + " to " + shortest(end)};
+        return Problem{"/knots", "cannot take " + allDigits(t) + ", which is not on the curve",
+                       "a value from " + allDigits(start) + " to " + allDigits(end)};
     }
     if (times < 1) {
         return Problem{"/knots", "cannot take a knot " + std::to_string(times) + " times",

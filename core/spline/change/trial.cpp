@@ -1,22 +1,13 @@
 #include "core/spline/change/trial.h"
 
 #include "core/spline/catalog.h"
+#include "core/spline/digits.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace splineloft::conversion {
 namespace {
-
-/// Two digits.
-std::string rounded(double value) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2);
-    return {text.data(), end.ptr};
-}
 
 /// Where two curves of as many pieces are farthest apart, and how far.
 struct Gap {
@@ -43,7 +34,7 @@ std::string wordsOf(Spot spot) {
     const std::string segment = "segment " + std::to_string(spot.segment);
     return spot.u == 0   ? "where " + segment + " begins"
            : spot.u == 1 ? "where " + segment + " ends"
-                         : "in " + segment + ", at u = " + rounded(spot.u) + ",";
+                         : "in " + segment + ", at u = " + twoDigits(spot.u) + ",";
 }
 
 } // namespace
@@ -89,7 +80,7 @@ std::string Trial::whyNot() const {
     if (nearest_) {
         const Gap gap = widestGap(shape_.pieces, *nearest_);
         return wordsOf(gap.spot) + " the curve would differ by " +
-               rounded(std::scalbn(gap.length, shape_.exponent));
+               twoDigits(std::scalbn(gap.length, shape_.exponent));
     }
     return problem_ ? "its " + problem_->place + " " + problem_->what + ", not " + problem_->remedy
                     : "none has as many pieces";

@@ -8,7 +8,7 @@ namespace splineloft::families {
 namespace {
 
 /// The ladder of degree n - 1 takes n^2 / 2 steps for every point drawn.
-constexpr std::size_t mostPoints = 256;
+constexpr std::size_t mostLadderPoints = 256;
 
 struct Bezier {
     template <Blendable T>
@@ -28,7 +28,7 @@ Family bezier() {
         .source = "de Casteljau 1959 · Bézier 1962",
         .ends = {Ends::none},
         .closable = false,
-        .mostPoints = mostPoints,
+        .mostPoints = mostLadderPoints,
         .layout = onePiece,
     });
 }

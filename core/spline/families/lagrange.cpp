@@ -9,7 +9,7 @@ namespace splineloft::families {
 namespace {
 
 // The weights grow like 2^n: beyond this little of a double would be left.
-constexpr std::size_t mostPoints = 24;
+constexpr std::size_t mostWeighedPoints = 24;
 
 /// Which weights of the points give the Bézier points: the inverse of the matrix of Bernstein
 /// polynomials at the parameter values. Every minor of that matrix is positive, so elimination
@@ -77,7 +77,7 @@ Family lagrange() {
         .source = "Waring 1779 · Lagrange 1795",
         .ends = {Ends::none},
         .closable = false,
-        .mostPoints = mostPoints,
+        .mostPoints = mostWeighedPoints,
         .mostCoordinate = 1e290, // second derivatives multiply it by up to 10^12
         .layout = onePiece,
     });

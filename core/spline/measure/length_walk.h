@@ -1,13 +1,13 @@
 // From lengths back to spots, on one panel on which the quadrature of the speed has converged.
 #pragma once
 
+#include "core/spline/algebra/scale.h"
 #include "core/spline/measure/length_chart.h"
 #include "core/spline/measure/speed.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 
 namespace splineloft {
@@ -22,7 +22,6 @@ struct Stretch {
 template <SpeedAlongPiece Speed>
 double parameterAt(const Speed& speed, Stretch panel, double wanted, double whole) {
     constexpr int mostSteps = 60;
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
     double low = panel.start;
     double high = panel.end;
     double u = lerp(low, high, whole > 0 ? std::clamp(wanted / whole, 0.0, 1.0) : 1);

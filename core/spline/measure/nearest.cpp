@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace splineloft {
 namespace {
@@ -38,10 +39,6 @@ auto withSearch(const Pieces& pieces, double farthest, const Point& place, doubl
         }
     }
     return use(nearest::AnySearch(pieces, place, within));
-}
-
-bool isFinite(const Point& place) {
-    return std::ranges::all_of(place.coordinates(), [](double x) { return std::isfinite(x); });
 }
 
 std::optional<Nearest> resultOf(const nearest::Best& best, const Pieces& pieces,

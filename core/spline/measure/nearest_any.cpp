@@ -9,7 +9,6 @@
 namespace splineloft::nearest {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // So that differences of coordinates of any size stay finite.
 constexpr double sixteenth = 1.0 / 16;
 

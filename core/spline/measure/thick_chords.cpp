@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace splineloft {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // Where chords start that are not there: the square is a number, and no place is as far away.
 constexpr double beyondAll = 0x1p500;
 

@@ -109,9 +109,9 @@ bool runApart(const Stretch& a, const Stretch& b) {
 }
 
 /// One search for the meetings of two arcs.
-class Search {
+class MeetingSearch {
   public:
-    Search(const Arc& a, const Arc& b, SharedEnds shared, const Piece& shape)
+    MeetingSearch(const Arc& a, const Arc& b, SharedEnds shared, const Piece& shape)
         : shape_(shape), shared_(shared), rounding_(std::max(a.rounding, b.rounding)) {
         pool_.push_back(stretchFrom(a.bezier, 0, 1, shape));
         pool_.push_back(stretchFrom(b.bezier, 0, 1, shape));
@@ -309,7 +309,7 @@ class Search {
 } // namespace
 
 Meetings meetingsOf(const Arc& a, const Arc& b, SharedEnds shared, const Piece& shape) {
-    Meetings meetings = Search(a, b, shared, shape).run();
+    Meetings meetings = MeetingSearch(a, b, shared, shape).run();
     for (auto& meeting : meetings.all) {
         meeting = {std::lerp(a.low, a.high, meeting.a), std::lerp(b.low, b.high, meeting.b)};
     }

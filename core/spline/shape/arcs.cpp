@@ -1,16 +1,14 @@
 #include "core/spline/shape/arcs.h"
 
 #include "core/spline/algebra/rounded.h"
+#include "core/spline/algebra/scale.h"
 #include "core/spline/shape/subdivide.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace splineloft {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// The power of two that makes every coordinate smaller than 1.
 int exponentOf(const Pieces& pieces) {

@@ -24,9 +24,9 @@ double unitOf(const Pieces& pieces) {
 }
 
 /// One piece, walked along in steps.
-class Walk {
+class PieceWalk {
   public:
-    Walk(const Piece& piece, double tolerance, double unit)
+    PieceWalk(const Piece& piece, double tolerance, double unit)
         : bezier_(piece.coordinates.begin(), piece.coordinates.end()),
           width_(static_cast<std::size_t>(piece.width())),
           dimension_(static_cast<std::size_t>(piece.dimension)), tolerance_(tolerance) {
@@ -204,7 +204,7 @@ Polyline flattened(const Pieces& pieces, double tolerance, std::size_t most) {
             line.spots.push_back({i, 0});
         }
         const std::size_t room = most - std::min(most, line.spots.size());
-        const auto steps = Walk(pieces[i], asked, unit).steps(room);
+        const auto steps = PieceWalk(pieces[i], asked, unit).steps(room);
         if (steps.empty() || steps.back() < 1) {
             return {spreadEvenly(pieces, most), false};
         }

@@ -25,10 +25,6 @@ double roundingOfSecond(const Piece& piece, const Point& second) {
     return 8 * std::numeric_limits<double>::epsilon() * std::max(enlarged, norm(second));
 }
 
-bool isFinite(const Point& p) {
-    return std::ranges::all_of(p.coordinates(), [](double x) { return std::isfinite(x); });
-}
-
 } // namespace
 
 std::optional<OsculatingCircle> osculatingCircle(const Pieces& pieces, Spot spot) {

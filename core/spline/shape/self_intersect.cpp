@@ -12,8 +12,8 @@ namespace {
 
 // Meetings found twice, by two pairs of arcs that end there, are as near as this: in the curve's
 // size, and (where it runs slowly) in u.
-constexpr double samePlace = 1e-9;
-constexpr double sameSpot = 1e-4;
+constexpr double placeTolerance = 1e-9;
+constexpr double spotTolerance = 1e-4;
 
 bool overlap(const Arc& a, const Arc& b, std::size_t coordinate) {
     const double slack = std::max(a.rounding, b.rounding);
@@ -28,9 +28,9 @@ bool runsThrough(const Arc& a, const Arc& b) {
 }
 
 /// All self-intersections of one curve.
-class Search {
+class CrossingSearch {
   public:
-    Search(const Pieces& pieces, std::size_t most)
+    CrossingSearch(const Pieces& pieces, std::size_t most)
         : pieces_(pieces), arcs_(arcsOf(pieces)), most_(most) {
         if (arcs_.size() > 1) {
             const auto& first = arcs_.front();
@@ -105,7 +105,7 @@ class Search {
             std::abs(static_cast<double>(a.segment) - static_cast<double>(b.segment) + a.u - b.u);
         const auto around = static_cast<double>(pieces_.size());
         along = closed_ ? std::min(along, std::abs(around - along)) : along;
-        return along <= sameSpot;
+        return along <= spotTolerance;
     }
 
     /// In order, without those found twice.
@@ -120,7 +120,8 @@ class Search {
             bool again = crossing.a == crossing.b; // one spot is no crossing
             for (auto k = kept.size(); k > 0 && near(kept[k - 1].a, crossing.a) && !again; --k) {
                 again = near(kept[k - 1].b, crossing.b) &&
-                        distance(kept[k - 1].place, crossing.place) <= samePlace * sizeAt(crossing);
+                        distance(kept[k - 1].place, crossing.place) <=
+                            placeTolerance * sizeAt(crossing);
             }
             if (!again) {
                 kept.push_back(crossing);
@@ -156,7 +157,7 @@ SelfCrossings selfIntersections(const Pieces& pieces, std::size_t most) {
     if (pieces.empty() || pieces.dimension() != 2) {
         return {};
     }
-    return Search(pieces, most).run();
+    return CrossingSearch(pieces, most).run();
 }
 
 } // namespace splineloft
