@@ -13,20 +13,29 @@ if(SPLINELOFT_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
-# In the build with sanitizers, which is the slowest, libraries take what most of their files read
-# precompiled; every other build shows that each file includes what it needs.
-function(splineloft_read_once target)
-    if(SPLINELOFT_SANITIZE AND NOT SPLINELOFT_FUZZ)
-        target_precompile_headers(${target} PRIVATE ${ARGN})
-    endif()
-endfunction()
-
 # Our code is compiled without a warning; the packages' headers are theirs.
 function(splineloft_own_code target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Werror)
     # GCC 12 sees overlapping copies in "c" + std::to_string(i), where there are none (its bug 105651).
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+endfunction()
+
+# The target's files are compiled several at a time, so that what all of them include is read once.
+# A name in an unnamed namespace may then stand beside one of another file, which it must differ
+# from, but not hide.
+function(splineloft_in_batches target)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+    target_compile_options(${target} PRIVATE -Wno-shadow
+                           $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
+endfunction()
+
+# Libraries are compiled so in the build with sanitizers, which is the slowest; every other build
+# shows that each file includes what it needs.
+function(splineloft_library_in_batches target)
+    if(SPLINELOFT_SANITIZE AND NOT SPLINELOFT_FUZZ)
+        splineloft_in_batches(${target})
+    endif()
 endfunction()
 
 # Every .cpp file below this folder belongs to the target: a new file needs no line here.
