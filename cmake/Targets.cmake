@@ -30,10 +30,14 @@ function(splineloft_in_batches target)
                            $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 endfunction()
 
-# Libraries are compiled so in the build with sanitizers, which is the slowest; every other build
-# shows that each file includes what it needs.
+# The core is compiled so in the build with sanitizers alone, which is the slowest, and all that is
+# built upon it also for release; the other builds show that each file includes what it needs.
 function(splineloft_library_in_batches target)
-    if(SPLINELOFT_SANITIZE AND NOT SPLINELOFT_FUZZ)
+    if(SPLINELOFT_FUZZ)
+        return()
+    endif()
+    if(SPLINELOFT_SANITIZE OR (CMAKE_BUILD_TYPE STREQUAL "Release" AND
+                               NOT target STREQUAL "splineloft_core"))
         splineloft_in_batches(${target})
     endif()
 endfunction()

@@ -10,9 +10,9 @@ inline constexpr bool underSanitizers = true;
 inline constexpr bool underSanitizers = false;
 #endif
 
-/// So many random cases; a twentieth of them under the sanitizers.
+/// So many random cases; a fortieth of them under the sanitizers.
 constexpr int casesOf(int many) {
-    return underSanitizers ? many / 20 : many;
+    return underSanitizers ? many / 40 : many;
 }
 
 /// So many rounds over something that is different each time; a quarter under the sanitizers.

@@ -35,7 +35,7 @@ struct Share {
 
 } // namespace
 
-std::optional<double> valueOf(const Moment& moment, Quantity quantity) {
+std::optional<double> valueOf(const Movement& moment, Quantity quantity) {
     switch (quantity) {
     case Quantity::speed: return moment.speed;
     case Quantity::acceleration: return moment.acceleration;

@@ -17,12 +17,12 @@ inline constexpr std::array allQuantities = {Quantity::speed, Quantity::accelera
                                              Quantity::curvature};
 
 /// A quantity at one moment: units of length / s, units of length / s^2, 1 / unit of length.
-std::optional<double> valueOf(const Moment& moment, Quantity quantity);
+std::optional<double> valueOf(const Movement& moment, Quantity quantity);
 
 struct MotionSample {
     Spot spot;
     double time = 0; ///< seconds
-    Moment moment;
+    Movement moment;
 };
 
 /// Samples that follow each other without a jump.

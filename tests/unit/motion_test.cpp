@@ -34,7 +34,7 @@ TEST(Motion, aroundACircleIsCentripetal) {
         const auto motion = Motion::evenInLength(pieces, lengths, 6);
         const double speed = 2 * pi * radius / 6;
         for (const auto& spot : spotsOn(pieces)) {
-            const Moment moment = motion.at(spot);
+            const Movement moment = motion.at(spot);
             EXPECT_NEAR(*moment.speed, speed, 1e-13 * speed);
             EXPECT_NEAR(*moment.curvature, 1 / radius, 1e-12 / radius) << "to the left";
             EXPECT_NEAR(*moment.acceleration, speed * speed / radius,
@@ -50,7 +50,7 @@ TEST(Motion, onAParabolaEvenInTheParameter) {
     const auto motion = Motion::evenInParameter(parabola, 1.5);
     for (const double u : {0.0, 1.0 / 3, 0.4, 0.75, 1.0}) {
         const double t = 3 * u - 1;
-        const Moment moment = motion.at({0, u});
+        const Movement moment = motion.at({0, u});
         EXPECT_NEAR(*moment.speed, 2 * std::hypot(1, 2 * t), 1e-13) << t;
         EXPECT_NEAR(*moment.acceleration, 8, 1e-12) << t;
         EXPECT_NEAR(*moment.curvature, 2 / std::pow(1 + 4 * t * t, 1.5), 1e-12) << t;
@@ -105,11 +105,11 @@ TEST(Motion, halfTheDurationIsTwiceTheSpeed) {
         const Pieces pieces = randomPiece(dice);
         const ArcLength lengths(pieces);
         for (const Spot spot : {Spot{0, 0.2}, Spot{0, 0.7}}) {
-            const Moment slow = Motion::evenInParameter(pieces, 2).at(spot);
-            const Moment fast = Motion::evenInParameter(pieces, 1).at(spot);
+            const Movement slow = Motion::evenInParameter(pieces, 2).at(spot);
+            const Movement fast = Motion::evenInParameter(pieces, 1).at(spot);
             EXPECT_EQ(*fast.speed, 2 * *slow.speed);
             EXPECT_EQ(*fast.acceleration, 4 * *slow.acceleration);
-            const Moment even = Motion::evenInLength(pieces, lengths, 2).at(spot);
+            const Movement even = Motion::evenInLength(pieces, lengths, 2).at(spot);
             EXPECT_EQ(even.curvature, slow.curvature) << "geometry";
         }
     }

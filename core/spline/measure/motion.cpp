@@ -72,9 +72,9 @@ std::vector<Spot> Motion::spotsAt(std::span<const double> times) const {
     return lengths_->spotsAt(lengths);
 }
 
-Moment Motion::at(Spot spot) const {
+Movement Motion::at(Spot spot) const {
     const Jet jet = pieces_->jet(spot);
-    Moment moment;
+    Movement moment;
     moment.curvature =
         pieces_->dimension() == 1 && jet.curvature ? std::optional(0.0) : jet.curvature;
     if (lengths_ != nullptr) {

@@ -13,7 +13,7 @@ namespace splineloft {
 
 /// What a motion does at one spot. Derivatives are by time, in seconds, of all coordinates. Each is
 /// nothing where it does not exist or is too large for a number; none is ever not-a-number.
-struct Moment {
+struct Movement {
     std::optional<double> speed;        ///< |dC/dt|, units of length / s
     std::optional<double> acceleration; ///< |d2C/dt2|, units of length / s^2
     /// 1 / unit of length, as in Jet; zero on curves of one coordinate, which cannot bend.
@@ -43,7 +43,7 @@ class Motion {
     Spot spotAt(double time) const;
     /// The same for many times that never fall: where they are close together, much quicker.
     std::vector<Spot> spotsAt(std::span<const double> times) const;
-    Moment at(Spot spot) const;
+    Movement at(Spot spot) const;
 
   private:
     Motion(const Pieces& pieces, const ArcLength* lengths, double duration);
