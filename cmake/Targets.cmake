@@ -30,14 +30,10 @@ function(splineloft_in_batches target)
                            $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 endfunction()
 
-# The core is compiled so in the build with sanitizers alone, which is the slowest, and all that is
-# built upon it also for release; the other builds show that each file includes what it needs.
+# Libraries are compiled so for release and with sanitizers. The other builds, for a debugger and for
+# fuzzing, show that each file includes what it needs.
 function(splineloft_library_in_batches target)
-    if(SPLINELOFT_FUZZ)
-        return()
-    endif()
-    if(SPLINELOFT_SANITIZE OR (CMAKE_BUILD_TYPE STREQUAL "Release" AND
-                               NOT target STREQUAL "splineloft_core"))
+    if(CMAKE_BUILD_TYPE STREQUAL "Release" OR (SPLINELOFT_SANITIZE AND NOT SPLINELOFT_FUZZ))
         splineloft_in_batches(${target})
     endif()
 endfunction()

@@ -173,7 +173,7 @@ class Account {
 constexpr int eventsToFillMemory = 200'000;
 
 TEST(Monkey, breaksNothing) {
-    constexpr auto usual = testing_curves::underSanitizers ? 5'000 : 20'000;
+    constexpr auto usual = testing_curves::underSanitizers ? 2'500 : 20'000;
     const auto seed = numberFrom("SPLINELOFT_SEED", 20'240'229);
     const auto events = static_cast<int>(numberFrom("SPLINELOFT_EVENTS", usual));
     SCOPED_TRACE("SPLINELOFT_SEED=" + std::to_string(seed));
