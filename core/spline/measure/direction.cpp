@@ -37,10 +37,7 @@ std::optional<Point> directionOf(const Point& vector) {
     if (!(length > 0) || !std::isfinite(length)) {
         return std::nullopt;
     }
-    if (length < std::numeric_limits<double>::min() || length > 1e300) { // neither 1 / length
-        return directionOf((length < 1 ? 0x1p200 : 0x1p-200) * vector);  // nor its inverse is safe
-    }
-    const Point unit = (1 / length) * vector;
+    const Point unit = unitVector(vector);
     return (1 / norm(unit)) * unit; // to the last bit
 }
 
