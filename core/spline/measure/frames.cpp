@@ -101,23 +101,35 @@ Frames::Frames(const Pieces& pieces, const ArcLength& lengths, bool closed)
         return;
     }
     const Point tangent = startTangent();
-    Node at{0, pieces.position({0, 0}), tangent, normalTo(tangent)};
+    const Node start{0, tangent, normalTo(tangent)};
+    Node at = start;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const Point next = tangentOn(i, 0, at.tangent);
-        at = {0, pieces.position({i, 0}), next, turned(at.normal, at.tangent, next)};
-        first_.push_back(nodes_.size());
-        nodes_.push_back(at);
+        at = {0, next, turned(at.normal, at.tangent, next)};
+        first_.push_back(u_.size());
+        keep(at);
         if (moving_[i] == i) {
             walk(i, at, 0.5, 1);
             walk(i, at, 1, 1);
         }
     }
-    twist_ = closed ? twistAround(at) : 0;
+    first_.push_back(u_.size());
+    twist_ = closed ? twistAround(start, at) : 0;
+}
+
+void Frames::keep(const Node& node) {
+    u_.push_back(node.u);
+    tangents_.append(node.tangent);
+    normals_.append(node.normal);
+}
+
+Frames::Node Frames::kept(std::size_t index) const {
+    return {u_[index], tangents_.at(index), normals_.at(index)};
 }
 
 /// Goes on to `end` in steps that turn little, and leaves a node at each.
 void Frames::walk(std::size_t segment, Node& at, double end, int depth) {
-    Node next = stepped(at, segment, end);
+    const Node next = stepped(at, segment, end);
     const double middle = 0.5 * (at.u + end);
     const Point between = tangentOn(segment, middle, at.tangent);
     const bool bends =
@@ -127,14 +139,14 @@ void Frames::walk(std::size_t segment, Node& at, double end, int depth) {
         walk(segment, at, end, depth + 1);
         return;
     }
-    at = std::move(next);
-    nodes_.push_back(at);
+    at = next;
+    keep(at);
 }
 
 Frames::Node Frames::stepped(const Node& from, std::size_t segment, double u) const {
-    const Point place = pieces_->position({segment, u});
+    const Point way = pieces_->position({segment, u}) - pieces_->position({segment, from.u});
     const Point tangent = tangentOn(segment, u, from.tangent);
-    return {u, place, tangent, carried(from.normal, from.tangent, tangent, place - from.position)};
+    return {u, tangent, carried(from.normal, from.tangent, tangent, way)};
 }
 
 Point Frames::tangentOn(std::size_t segment, double u, const Point& otherwise) const {
@@ -150,8 +162,7 @@ Point Frames::startTangent() const {
 }
 
 /// How far a frame that has gone all around is turned against the first.
-double Frames::twistAround(const Node& last) const {
-    const Node& start = nodes_.front();
+double Frames::twistAround(const Node& start, const Node& last) {
     const Point back = turned(last.normal, last.tangent, start.tangent);
     return std::atan2(dot(back, cross(start.tangent, start.normal)), dot(back, start.normal));
 }
@@ -169,13 +180,10 @@ Frame Frames::at(Spot spot) const {
         }
         return frame;
     }
-    const auto begin = nodes_.begin() + static_cast<std::ptrdiff_t>(first_[spot.segment]);
-    const auto end = spot.segment + 1 < first_.size()
-                         ? nodes_.begin() + static_cast<std::ptrdiff_t>(first_[spot.segment + 1])
-                         : nodes_.end();
-    const auto after = std::upper_bound(begin + 1, end, spot.u,
-                                        [](double u, const Node& node) { return u < node.u; });
-    const Node& before = *(after - 1);
+    const auto begin = u_.begin() + static_cast<std::ptrdiff_t>(first_[spot.segment]);
+    const auto end = u_.begin() + static_cast<std::ptrdiff_t>(first_[spot.segment + 1]);
+    const auto after = std::upper_bound(begin + 1, end, spot.u);
+    const Node before = kept(static_cast<std::size_t>(after - 1 - u_.begin()));
     const Node here = spot.u == before.u ? before : stepped(before, spot.segment, spot.u);
     const double total = lengths_->total();
     const double part = twist_ != 0 && total > 0 ? lengths_->upTo(spot) / total : 0;

@@ -39,23 +39,26 @@ class Frames {
     double twist() const { return twist_; }
 
   private:
-    /// A frame without its second normal.
+    /// A frame of a piece, without its second normal.
     struct Node {
         double u;
-        Point position, tangent, normal;
+        Point tangent, normal;
     };
 
+    void keep(const Node& node);
+    Node kept(std::size_t index) const;
     void walk(std::size_t segment, Node& at, double end, int depth);
     Node stepped(const Node& from, std::size_t segment, double u) const;
     Point tangentOn(std::size_t segment, double u, const Point& otherwise) const;
     Point startTangent() const;
-    double twistAround(const Node& last) const;
+    static double twistAround(const Node& start, const Node& last);
 
     const Pieces* pieces_;
     const ArcLength* lengths_;
     std::vector<std::size_t> moving_; ///< for each piece the last one up to it that moves
-    std::vector<std::size_t> first_;  ///< node of each piece, in space
-    std::vector<Node> nodes_;
+    std::vector<std::size_t> first_;  ///< of the nodes of each piece, in space; and their number
+    std::vector<double> u_;           ///< of each node
+    Points tangents_{3}, normals_{3};
     double twist_ = 0;
 };
 
