@@ -44,6 +44,9 @@ std::string shortcutName(const Session& session, const Command& command);
 /// Whether a key was struck, is only still held down, or was let go with nothing done meanwhile.
 enum class Strike { fresh, repeated, tap };
 
+/// Whether a command that is possible now has that shortcut.
+bool hasCommand(const Session& session, const Shortcut& shortcut);
+
 /// Runs the possible command of that shortcut, if there is one.
 bool runShortcut(Session& session, const Shortcut& shortcut, Strike strike = Strike::fresh);
 

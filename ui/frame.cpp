@@ -12,18 +12,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace splineloft::ui {
 namespace {
 
 constexpr double longestStep = 0.1; // seconds
 
-/// Keys that belong to a text field while one is being edited.
+/// Keys that belong to a text field while one is being edited: with Ctrl the clipboard's, its own
+/// undo and redo, and those that go or delete by words.
 bool isForTextField(const Shortcut& shortcut) {
     if (!shortcut.modifiers.control) {
         return true;
     }
-    constexpr std::array fieldKeys = {Key::a, Key::c, Key::v, Key::x, Key::y, Key::z};
+    constexpr std::array fieldKeys = {Key::a,         Key::c,   Key::v,    Key::x,
+                                      Key::y,         Key::z,   Key::left, Key::right,
+                                      Key::backspace, Key::del, Key::home, Key::end};
     return std::ranges::find(fieldKeys, shortcut.key) != fieldKeys.end();
 }
 
@@ -44,8 +48,18 @@ void endTap(Session& session, Key key) {
     }
 }
 
-/// Keys, dropped files and the wish to close, which belong to no panel.
-void takeEvents(Session& session, std::span<const InputEvent> events) {
+/// The shortcut that a key means now: in mid-drag Escape restores, whatever else is held down.
+Shortcut shortcutOf(const KeyChanged& key, const Session& session) {
+    const bool restores = key.key == Key::escape && !std::holds_alternative<Idle>(session.gesture);
+    return {key.key, restores ? Modifiers{} : key.modifiers};
+}
+
+/// Keys, dropped files and the wish to close, which belong to no panel. Returns the shortcuts that
+/// must wait until the panels are drawn: what was being typed there is entered first. `menuOpen`
+/// says whether a menu or list was open when they came; it has taken the keys.
+std::vector<Shortcut> takeEvents(Session& session, std::span<const InputEvent> events,
+                                 bool menuOpen) {
+    std::vector<Shortcut> waiting;
     for (const auto& event : events) {
         if (isPress(event)) {
             session.notice.reset();
@@ -61,15 +75,22 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key && !key->down) {
             endTap(session, key->key);
         } else if (key != nullptr) {
-            const Shortcut shortcut{key->key, key->modifiers};
-            if (isPopupOpen() && !session.dialog) {
+            const Shortcut shortcut = shortcutOf(*key, session);
+            if (menuOpen && !session.dialog) {
                 if (key->key == Key::escape) {
                     closePopups();
                 }
-                continue; // an open menu has the keyboard
+                continue;
             }
             const auto& io = ImGui::GetIO();
-            const bool typing = io.WantTextInput && isForTextField(shortcut);
+            if (io.WantTextInput && !session.dialog && !isForTextField(shortcut)) {
+                if (hasCommand(session, shortcut)) {
+                    releaseActiveWidget();
+                    waiting.push_back(shortcut);
+                }
+                continue;
+            }
+            const bool typing = io.WantTextInput;
             const bool holding = ImGui::IsAnyItemActive() && !io.WantTextInput &&
                                  std::holds_alternative<Idle>(session.gesture);
             if (!typing && !holding && !session.dialog) {
@@ -80,6 +101,7 @@ void takeEvents(Session& session, std::span<const InputEvent> events) {
             }
         }
     }
+    return waiting;
 }
 
 /// Moves the cursor along the active curve while it plays; from the end back to the start.
@@ -213,6 +235,14 @@ bool isForPoints(const InputEvent& event, const Session& session) {
            !isPopupOpen() && !ImGui::GetIO().WantTextInput;
 }
 
+/// Whether arrows and Enter choose among what stands in front: the entries of a menu or list, or
+/// the answers to a question. (File names and the palette are typed in.)
+bool takesKeys(const Session& session) {
+    return session.dialog ? std::holds_alternative<UnsavedQuestion>(*session.dialog) ||
+                                std::holds_alternative<RecoveryOffer>(*session.dialog)
+                          : isPopupOpen();
+}
+
 void beginImGui(const Session& session, const Screen& screen, std::span<const InputEvent> events,
                 double seconds) {
     auto& io = ImGui::GetIO();
@@ -223,6 +253,7 @@ void beginImGui(const Session& session, const Screen& screen, std::span<const In
             feed(io, event);
         }
     }
+    followKeys(io, takesKeys(session));
     ImGui::NewFrame();
 }
 
@@ -268,13 +299,17 @@ FrameResult runFrame(Session& session, const Screen& window, std::span<const Inp
     const Screen screen = scaled(window, session.view); // what happens in it counts from the next
     const Theme& theme = themeOf(session.view.theme);
     applyStyle(theme, screen.scale);
+    const bool menuOpen = isPopupOpen();
     beginImGui(session, screen, events, seconds);
-    takeEvents(session, events);
+    const auto waiting = takeEvents(session, events, menuOpen);
     advance(session, seconds);
 
     const auto layout = layOut(screen, session.view);
     followScreen(session, screen.scale, layout.canvas);
     const auto frames = drawPanels(session, screen, layout, events);
+    for (const auto& shortcut : waiting) {
+        runShortcut(session, shortcut);
+    }
     fitIfAsked(session);
 
     FrameResult result;

@@ -144,6 +144,28 @@ void mapKeys([[maybe_unused]] ImGuiIO& io) {
 #endif
 }
 
+void followKeys(ImGuiIO& io, bool wanted) {
+    if (wanted) {
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+#if IMGUI_VERSION_NUM < 18700
+        // Enter was for fields alone, and Space for all else.
+        if (io.KeysDown[static_cast<std::size_t>(Key::enter)]) {
+            io.NavInputs[ImGuiNavInput_Activate] = 1;
+        }
+#endif
+    } else {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    }
+}
+
+void showChosen() {
+#if IMGUI_VERSION_NUM >= 19140
+    ImGui::SetNavCursorVisible(true);
+#else
+    GImGui->NavDisableHighlight = false;
+#endif
+}
+
 ImGuiKeyCode escapeKey() {
     return ImGui::GetKeyIndex(ImGuiKey_Escape);
 }

@@ -14,6 +14,11 @@ void feed(ImGuiIO& io, const InputEvent& event);
 /// Maps its navigation and editing keys to ours, where it does not know keys by name.
 void mapKeys(ImGuiIO& io);
 
+/// Whether arrow keys choose among what is drawn, and Enter takes it, from this frame on.
+void followKeys(ImGuiIO& io, bool wanted);
+/// Shows what Enter would take, before any arrow was pressed.
+void showChosen();
+
 /// Keys as Dear ImGui's own functions want them.
 #if IMGUI_VERSION_NUM >= 18700
 using ImGuiKeyCode = ImGuiKey;

@@ -32,7 +32,8 @@ struct FileBrowser {
     Even even = Even::length;
     int count = 100;
     bool overwriteAsked = false;
-    bool closed = false; ///< the person has had enough of it
+    bool takesKeyboard = false; ///< the field for the name takes it with the next frame
+    bool closed = false;        ///< the person has had enough of it
 };
 
 /// A file that was opened or saved before, and whether it is still there.

@@ -216,6 +216,21 @@ TEST(Files, whatIsThereIsReplacedOnlyAfterAsking) {
     EXPECT_EQ(lastRequest<SaveFile>(driver)->path, folder / "one.json");
 }
 
+TEST(Files, whatIsThereIsReplacedByASecondEnter) {
+    Folder folder;
+    Driver driver(plain());
+    driver.session.path = folder / "one.json";
+    driver.key(Key::s, {.shift = true, .control = true});
+    driver.frames(3);
+    driver.key(Key::enter);
+    EXPECT_TRUE(driver.session.requests.empty());
+    ASSERT_TRUE(shows<FileBrowser>(driver));
+    driver.frames(2);
+    driver.key(Key::enter);
+    ASSERT_TRUE(lastRequest<SaveFile>(driver));
+    EXPECT_EQ(lastRequest<SaveFile>(driver)->path, folder / "one.json");
+}
+
 TEST(Files, anotherNameAsksAnew) {
     Folder folder;
     Driver driver(plain());

@@ -3,6 +3,7 @@
 #include "hand.h"
 
 #include "core/spline/catalog.h"
+#include "ui/canvas/gizmo.h"
 
 #include <gtest/gtest.h>
 
@@ -136,6 +137,36 @@ TEST(Canvas, losingTheFocusInMidDragRestores) {
     driver.send(FocusChanged{true});
     driver.drag(driver.atPoint(3), driver.at({2, 2}));
     EXPECT_EQ(driver.steps(), 1);
+}
+
+TEST(Canvas, escapeInMidDragRestoresWhateverElseIsHeld) {
+    for (const auto& [modifier, held] :
+         {std::pair{Key::leftControl, withControl}, std::pair{Key::leftShift, withShift}}) {
+        Driver driver(plain());
+        driver.press(driver.atPoint(3));
+        driver.hold(modifier);
+        driver.move(driver.at({2, 2}));
+        ASSERT_NE(driver.curve().points, sevenPoints());
+        driver.key(Key::escape, held);
+        EXPECT_EQ(driver.curve().points, sevenPoints());
+        driver.release();
+        driver.letGo(modifier);
+        EXPECT_EQ(driver.curve().points, sevenPoints());
+        EXPECT_EQ(driver.steps(), 0);
+    }
+}
+
+TEST(Hints, ofAGripEndWhereThePointerLeavesTheCanvas) {
+    Driver driver(plain());
+    driver.session.view.selection = {{0, 1}, {0, 3}, {0, 4}};
+    driver.frames(1);
+    const Viewport viewport{driver.session.view.camera, driver.session.canvas};
+    const auto gizmo = gizmoOf(driver.session.document(), driver.session.view, viewport, 1);
+    ASSERT_TRUE(gizmo);
+    driver.move(gizmo->placeOf(Grip{0, 0}));
+    ASSERT_NE(driver.hint().find("turn"), std::string::npos) << driver.hint();
+    driver.move({driver.screen.width - 40.0, 300});
+    EXPECT_EQ(driver.hint().find("turn"), std::string::npos) << driver.hint();
 }
 
 TEST(Hints, sayWhatTheMouseWouldDo) {

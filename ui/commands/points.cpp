@@ -17,7 +17,8 @@
 namespace splineloft::ui {
 namespace {
 
-// A copy lies so far to the right of and below what it was made from, design pixels.
+// A copy lies at least so far to the right of and below what it was made from, design pixels, by a
+// step of a grid.
 constexpr double copyOffset = 24;
 
 // Without an interface there is no clipboard: the commands still run, on an empty one.
@@ -93,7 +94,7 @@ void addCopies(Session& session, const std::vector<CurveEntry>& copies, const st
     next.curves.insert(next.curves.end(), copies.begin(), copies.end());
     const auto ids = pointsFrom(next, first);
     if (hidden) {
-        const double step = copyOffset * session.scale / session.view.camera.pixelsPerUnit;
+        const double step = gridStep(session.view.camera, copyOffset * session.scale);
         next = movedInPlane(next, ids, session.view.axes, step, -step);
     }
     session.apply({std::move(next), Phase::commit, label});

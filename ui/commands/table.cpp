@@ -68,14 +68,23 @@ std::string shortcutName(const Session& session, const Command& command) {
     return shortcuts.empty() ? "" : nameOf(shortcuts.front());
 }
 
+static bool isShortcutOf(const Session& session, const Shortcut& shortcut, const Command& command) {
+    const auto all = shortcutsOf(session, command);
+    return std::ranges::find(all, shortcut) != all.end();
+}
+
+bool hasCommand(const Session& session, const Shortcut& shortcut) {
+    return std::ranges::any_of(commands(), [&](const Command& command) {
+        return isShortcutOf(session, shortcut, command) && command.possible(session);
+    });
+}
+
 bool runShortcut(Session& session, const Shortcut& shortcut, Strike strike) {
     for (const auto& command : commands()) {
-        const auto all = shortcutsOf(session, command);
-        const bool named = std::ranges::find(all, shortcut) != all.end();
         const bool due = command.onTap ? strike == Strike::tap
                                        : strike == Strike::fresh ||
                                              (strike == Strike::repeated && command.repeats);
-        if (named && due && command.possible(session)) {
+        if (due && isShortcutOf(session, shortcut, command) && command.possible(session)) {
             command.run(session);
             return true;
         }

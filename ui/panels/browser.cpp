@@ -119,13 +119,15 @@ std::optional<Request> drawBrowser(FileBrowser& browser, std::span<const RecentF
     const bool opens = browser.purpose == FilePurpose::open;
     auto request = drawList(browser, opens ? recent : std::span<const RecentFile>(), window);
     ImGui::SetNextItemWidth(window.px(560));
-    if (ImGui::IsWindowAppearing()) {
+    if (ImGui::IsWindowAppearing() || browser.takesKeyboard) {
         ImGui::SetKeyboardFocusHere();
+        browser.takesKeyboard = false;
     }
     if (ImGui::InputText("##name", &browser.name,
                          ImGuiInputTextFlags_EnterReturnsTrue |
                              ImGuiInputTextFlags_AutoSelectAll)) {
         request = accept(browser);
+        browser.takesKeyboard = !request; // for the next Enter, or another name
     }
     if (ImGui::IsItemEdited()) {
         browser.overwriteAsked = false;

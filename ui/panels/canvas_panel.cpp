@@ -113,6 +113,8 @@ void drawCanvas(Session& session, const Stage& stage, std::span<const InputEvent
     if (!over && std::holds_alternative<Idle>(session.gesture)) {
         session.view.hovered.reset();
         session.view.ghost.reset();
+        session.view.hoveredGrip.reset();
+        session.view.hoversStem = false;
     }
 }
 

@@ -21,6 +21,10 @@ void question(Session& session, const UnsavedQuestion& asked, const Stage& windo
         session.save(departure);
         return;
     }
+    if (ImGui::IsWindowAppearing()) {
+        ImGui::SetItemDefaultFocus();
+        showChosen();
+    }
     ImGui::SameLine();
     if (ImGui::Button("Don't save", size)) {
         session.leaveAnyway(departure);

@@ -56,12 +56,14 @@ std::string keysOf(const Session& session, const Command& command) {
     return keys;
 }
 
-/// The commands of a menu that have keys; those of no menu under a title of their own.
+/// The commands of a menu that have keys, by the names that they have before anything was done;
+/// those of no menu under a title of their own.
 Group groupOf(const std::string& menu, const Session& session) {
+    static const Session untouched;
     Group group{menu.empty() ? "Further keys" : menu, {}};
     for (const auto& command : commands()) {
         if (auto keys = keysOf(session, command); command.menu == menu && !keys.empty()) {
-            group.lines.push_back({std::move(keys), command.name(session)});
+            group.lines.push_back({std::move(keys), command.name(untouched)});
         }
     }
     return group;

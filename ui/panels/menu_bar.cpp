@@ -1,15 +1,18 @@
 #include "ui/panels/menus.h"
 #include "ui/panels/panels.h"
+#include "ui/widgets.h"
 
 #include <imgui.h>
 
 namespace splineloft::ui {
 
 void drawMenuItem(Session& session, const Command& command) {
+    // The name of what is undone may hold one of a curve, of any length.
+    const auto name = cutToFit(command.name(session), 24 * ImGui::GetFontSize());
     const auto keys = shortcutName(session, command);
     const bool checked = command.checked && command.checked(session);
     const bool possible = command.possible(session);
-    if (ImGui::MenuItem(command.name(session).c_str(), keys.c_str(), checked, possible)) {
+    if (ImGui::MenuItem(name.c_str(), keys.c_str(), checked, possible)) {
         command.run(session);
     }
 }

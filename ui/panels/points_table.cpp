@@ -103,7 +103,7 @@ class PointsTable {
         }
     }
 
-    /// The point's mark and name; a click selects it.
+    /// The point's mark and name; a click selects it, with Shift it adds it or takes it away.
     void name(const PointId& id) {
         ImGui::TableSetColumnIndex(0);
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -112,10 +112,15 @@ class PointsTable {
                                    packed(stage_.theme.surfaces.accentSoft));
         }
         if (ImGui::Selectable("##row", false, 0, {0, stage_.px(20)})) {
-            if (!ImGui::GetIO().KeyShift) {
+            const bool keeps = ImGui::GetIO().KeyShift;
+            if (!keeps) {
                 view_.selection.clear();
             }
-            view_.selection.insert(id);
+            if (!keeps || !view_.selection.contains(id)) {
+                view_.selection.insert(id);
+            } else {
+                view_.selection.erase(id);
+            }
         }
         auto& list = *ImGui::GetWindowDrawList();
         const Colour colour = colourOf(stage_.theme, {Role::control, static_cast<int>(id.index)});
