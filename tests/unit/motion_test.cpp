@@ -78,6 +78,41 @@ TEST(Motion, onALineOfUnevenBezierPoints) {
     EXPECT_FALSE(even.at({0, 0}).curvature) << "a line at rest has no direction";
 }
 
+TEST(Motion, ofAStraightPathThatTurnsBackNeverBends) {
+    for (const Points& points :
+         {Points{{-3, 0}, {0, 1}, {0, 1}, {0, 1}, {3, 0}},
+          Points{{-3, 0.1}, {0.3, 1.3}, {0.3, 1.3}, {0.3, 1.3}, {3.1, 0}},
+          Points{{-3, 0.1, 7}, {0.3, 1.3, 5}, {0.3, 1.3, 5}, {0.3, 1.3, 5}, {3.1, 0, 2}}}) {
+        Curve curve = emptyCurve({"cardinal", false, Ends::doubled}, points.dimension());
+        curve.points = points;
+        const Pieces pieces = piecesOf(curve);
+        const auto motion = Motion::evenInParameter(pieces, 6);
+        int slow = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            for (double u = 1; u > 1e-12; u /= 2) {
+                for (const double at : {u, 1 - u}) {
+                    const auto movement = motion.at({i, at});
+                    EXPECT_EQ(movement.curvature.value_or(0), 0) << i << ' ' << at;
+                    slow += *movement.speed < 1e-9;
+                }
+            }
+        }
+        EXPECT_GT(slow, 4) << "it does come near to rest";
+    }
+}
+
+TEST(Motion, ofACuspStillBendsWithoutBound) {
+    // (t^2, t^3) has curvature 6 / (t (4 + 9 t^2)^1.5).
+    Curve curve = emptyCurve({"bezier", false, Ends::none}, 2);
+    curve.points = {{0, 0}, {0, 0}, {1.0 / 3, 0}, {1, 1}};
+    const Pieces pieces = piecesOf(curve);
+    const auto motion = Motion::evenInParameter(pieces, 1);
+    for (double t = 0.5; t > 1e-5; t /= 2) {
+        const double wanted = 6 / (t * std::pow(4 + 9 * t * t, 1.5));
+        EXPECT_NEAR(*motion.at({0, t}).curvature, wanted, 1e-6 * wanted) << t;
+    }
+}
+
 TEST(Motion, countsEveryCoordinate) {
     // One turn of the helix (cos, sin, t), approximated nowhere: a line in four dimensions.
     const Pieces line(1, 4, KnotLine({0, 1}), {0, 0, 0, 0, 1, 1, 1, 1});

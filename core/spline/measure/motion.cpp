@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace splineloft {
 namespace {
+
+constexpr double unitRoundoff = std::numeric_limits<double>::epsilon();
 
 std::optional<double> ifFinite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
@@ -18,6 +21,39 @@ double rangeOf(const KnotLine& knots) {
 /// Which part of the whole lies before `at`; none of a whole that is nothing.
 double partOf(double at, double whole) {
     return whole > 0 ? std::clamp(at / whole, 0.0, 1.0) : 0;
+}
+
+/// Whether all Bézier points of a piece lie on one line, but for rounding.
+bool isStraight(const Piece& piece) {
+    const Point start = piece.bezierPoint(0);
+    Point longest(start.dimension());
+    double size = 0;
+    for (int k = 0; k <= piece.degree; ++k) {
+        const Point place = piece.bezierPoint(k), way = place - start;
+        size = std::max(size, norm(place));
+        longest = norm(way) > norm(longest) ? way : longest;
+    }
+    const Point along = unitVector(longest);
+    for (int k = 1; k <= piece.degree; ++k) {
+        const Point way = piece.bezierPoint(k) - start;
+        if (norm(way - dot(way, along) * along) > 16 * unitRoundoff * size) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The curvature without that which is rounding alone: a straight piece has none, however slow it
+/// is where it turns back, and there rounding decides its direction.
+std::optional<double> curvatureWithin(const Piece& piece, const Jet& jet) {
+    if (!jet.curvature || piece.dimension == 1) {
+        return jet.curvature ? std::optional(0.0) : std::nullopt;
+    }
+    const double speed = norm(jet.first), turning = norm(jet.second);
+    const double rounding = unitRoundoff * (norm(jet.position) + speed + turning);
+    const bool isSure =
+        std::abs(*jet.curvature) * speed * speed * speed > 1e3 * rounding * (turning + speed);
+    return isSure || !isStraight(piece) ? *jet.curvature : 0;
 }
 
 } // namespace
@@ -75,8 +111,7 @@ std::vector<Spot> Motion::spotsAt(std::span<const double> times) const {
 Movement Motion::at(Spot spot) const {
     const Jet jet = pieces_->jet(spot);
     Movement moment;
-    moment.curvature =
-        pieces_->dimension() == 1 && jet.curvature ? std::optional(0.0) : jet.curvature;
+    moment.curvature = curvatureWithin((*pieces_)[spot.segment], jet);
     if (lengths_ != nullptr) {
         const double speed = lengths_->total() / duration_;
         moment.speed = ifFinite(speed);

@@ -16,7 +16,8 @@ namespace splineloft {
 struct Movement {
     std::optional<double> speed;        ///< |dC/dt|, units of length / s
     std::optional<double> acceleration; ///< |d2C/dt2|, units of length / s^2
-    /// 1 / unit of length, as in Jet; zero on curves of one coordinate, which cannot bend.
+    /// 1 / unit of length, as in Jet; zero on curves of one coordinate, which cannot bend, and on
+    /// straight pieces, where a jet close to rest has but rounding.
     std::optional<double> curvature;
 };
 
