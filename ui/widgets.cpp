@@ -358,7 +358,11 @@ void quietText(const std::string& text, const Stage& stage) {
 
 void explain(const std::string& text) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
-        ImGui::SetTooltip("%s", text.c_str());
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(32 * ImGui::GetFontSize());
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
     }
 }
 

@@ -90,6 +90,19 @@ TEST(PerPoint, theSliderSetsTheSelectedPointsOrAll) {
     EXPECT_EQ(driver.steps(), 2);
 }
 
+TEST(PerPoint, valuesThatDifferAreNotShownAsOne) {
+    Driver driver(makeLocal(documentOf({curveOf("beta")}), 0, "tension"));
+    // Its words can be told by their width.
+    const auto width = [&] { return driver.find(inInspector("###per tension"))->width; };
+    const double allAlike = width();
+    driver.session.view.selection = {{0, 2}};
+    driver.enter(sliderField("tension"), "20");
+    driver.session.view.selection = {};
+    EXPECT_GT(width(), allAlike) << "mixed values";
+    driver.enter(sliderField("tension"), "3");
+    EXPECT_EQ(width(), allAlike);
+}
+
 TEST(PerPoint, aSlideIsOneStepAndEscapeRestores) {
     const Document document = makeLocal(documentOf({curveOf("kochanek-bartels")}), 0, "bias");
     Driver driver(document);

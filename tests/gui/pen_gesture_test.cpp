@@ -4,8 +4,12 @@
 #include "core/document/edits.h"
 #include "core/spline/catalog.h"
 #include "ui/canvas/gesture.h"
+#include "ui/canvas/illustrate.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace splineloft::ui {
 namespace {
@@ -30,6 +34,27 @@ TEST(PenGesture, addsAtTheEndOfTheActiveCurve) {
         EXPECT_EQ(hand.session.history.undoLabel(), "Add P₇") << family.id;
         EXPECT_FALSE(problemOf(hand.session.document())) << family.id;
     }
+}
+
+TEST(PenGesture, theHandleBeingPulledIsUnderThePointer) {
+    Hand hand = penOn(documentOf({curveOf("bezier-spline")}));
+    const auto handles = [&](PlanePoint at) {
+        const Situation situation{hand.session.history.settled(), hand.session.history.live(),
+                                  hand.session.studies, hand.viewport(), 1};
+        const Scene scene = illustrate(hand.session.view, hand.session.gesture, situation);
+        const ScreenPoint there = hand.viewport().toScreen(at);
+        return std::ranges::count_if(scene.marks, [&](const SceneMark& mark) {
+            return mark.ink.role == Role::handle &&
+                   std::hypot(mark.at.x - there.x, mark.at.y - there.y) < 0.5;
+        });
+    };
+    hand.press({-1.25, 2.75});
+    EXPECT_EQ(handles({-0.75, 3.25}), 0);
+    hand.move({-0.75, 3.25});
+    EXPECT_EQ(handles({-0.75, 3.25}), 1);
+    EXPECT_EQ(handles({-1.75, 2.25}), 1) << "and the one opposite";
+    hand.release({-0.75, 3.25});
+    EXPECT_EQ(hand.curve().points.size(), 10U) << "no point of the curve yet";
 }
 
 TEST(PenGesture, beginsACurveWhereThereIsNone) {

@@ -1,5 +1,8 @@
 #include "ui/canvas/tool_marks.h"
 
+#include "core/spline/catalog.h"
+#include "ui/canvas/viewport.h"
+
 namespace splineloft::ui {
 namespace {
 
@@ -24,6 +27,7 @@ class ToolMarks {
             held(drag->held);
         } else if (const auto* placing = std::get_if<PlacingPoint>(&gesture)) {
             held(placing->held);
+            handleToCome(*placing);
         } else if (const auto* pulling = std::get_if<Transforming>(&gesture);
                    pulling != nullptr && pulling->moved) {
             note(pulling->words, pulling->now);
@@ -89,6 +93,30 @@ class ToolMarks {
             scene_.marks.push_back(
                 {viewport_.toScreen(*held.to), SignShape::diamond, {Role::snap}});
         }
+    }
+
+    /// The handle that the pen pulls out of an anchor: a point of the curve only when the next
+    /// anchor comes. It lies opposite to the one before the anchor.
+    void handleToCome(const PlacingPoint& placing) {
+        const auto [curve, index, part] = placing.point;
+        const bool isThere = curve < s_.live.curves.size() && // not where it was refused
+                             index < s_.live.curves[curve]->points.size();
+        if (!isThere || index == 0 || !familyOf(*s_.live.curves[curve]).hasHandles) {
+            return;
+        }
+        const PointId before{curve, index - 1, Part::point};
+        PointPlaces places(s_.live, view_.axes);
+        const PlanePoint handle = places[before];
+        if (handle == PointPlaces(placing.placed, view_.axes)[before]) {
+            return; // not pulled yet
+        }
+        const PlanePoint anchor = places[placing.point];
+        const ScreenPoint from = viewport_.toScreen(anchor);
+        const ScreenPoint to =
+            viewport_.toScreen({2 * anchor.x - handle.x, 2 * anchor.y - handle.y});
+        stroke({from, to}, {Role::handleLine});
+        scene_.marks.push_back(
+            {to, SignShape::square, {Role::handle, static_cast<int>(index + 1)}});
     }
 
     void note(const std::string& words, ScreenPoint at) {

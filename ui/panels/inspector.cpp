@@ -101,7 +101,7 @@ class Inspector {
                                    turned->phase, name};
             }
             if (parameter.local) {
-                perPoint(parameter, local, chosen, corner);
+                perPoint(study, parameter, chosen, corner);
             }
             ImGui::Spacing();
         }
@@ -256,22 +256,36 @@ class Inspector {
                                           : local->second.at(points.empty() ? 0 : points.front());
     }
 
+    /// Whether a local parameter has several values at those points.
+    static bool differ(const Study& study, const Parameter& parameter,
+                       const std::vector<std::size_t>& points) {
+        const auto& values = study.curve().local.at(std::string(parameter.key));
+        const double first = values.at(points.empty() ? 0 : points.front());
+        return points.empty()
+                   ? std::ranges::any_of(values, [&](double v) { return v != first; })
+                   : std::ranges::any_of(points, [&](auto i) { return values.at(i) != first; });
+    }
+
     /// Beside the name of a parameter that may be local: whether it is, and at which points the
     /// slider sets it.
-    void perPoint(const Parameter& parameter, bool local, const std::vector<std::size_t>& points,
-                  ImVec2 corner) {
+    void perPoint(const Study& study, const Parameter& parameter,
+                  const std::vector<std::size_t>& points, ImVec2 corner) {
+        const bool local = study.curve().local.contains(std::string(parameter.key));
         const ImVec2 below = ImGui::GetCursorPos();
+        const bool mixed = local && differ(study, parameter, points);
         const auto words = local ? wordsOf(points) : std::string("per point");
+        const auto shown = mixed ? std::string("mixed values") : words;
         const float right = below.x + ImGui::GetContentRegionAvail().x - stage_.px(98);
-        ImGui::SetCursorPos({right - quietButtonWidth(words, stage_), corner.y});
+        ImGui::SetCursorPos({right - quietButtonWidth(shown, stage_), corner.y});
         const auto name = std::string(parameter.label);
-        if (quietButton((words + "###per " + std::string(parameter.key)).c_str(), local, stage_)) {
+        if (quietButton((shown + "###per " + std::string(parameter.key)).c_str(), local, stage_)) {
             local ? commit(makeGlobal(settled(), view_.activeCurve, parameter.key),
                            name + " for the whole curve")
                   : commit(makeLocal(settled(), view_.activeCurve, parameter.key),
                            name + " per point");
         }
-        explain(local ? "The slider sets " + words +
+        explain(local ? (mixed ? "Their values differ; this is that of the first. " : "") +
+                            ("The slider sets " + words) +
                             ". Click for one value for the whole curve again."
                       : "Click for a value at each point.");
         ImGui::SetCursorPos(below);

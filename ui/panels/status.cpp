@@ -72,8 +72,8 @@ void drawStatus(const Session& session, const Stage& stage) {
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
     const bool cut = shown != text;
-    if (cut && !notice && ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", text.c_str());
+    if (cut && !notice) {
+        explain(text);
     }
     ImGui::SameLine(static_cast<float>(stage.rect.width) - width - stage.px(14));
     ImGui::TextDisabled("%s", right.c_str());
