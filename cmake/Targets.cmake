@@ -11,6 +11,9 @@ endif()
 if(SPLINELOFT_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+    # At addresses that are known, each of some thousand tests starts a fifth sooner.
+    add_compile_options(-fno-pie)
+    add_link_options(-no-pie)
 endif()
 
 # Our code is compiled without a warning; the packages' headers are theirs.
@@ -25,7 +28,7 @@ endfunction()
 # A name in an unnamed namespace may then stand beside one of another file, which it must differ
 # from, but not hide.
 function(splineloft_in_batches target)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     target_compile_options(${target} PRIVATE -Wno-shadow
                            $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 endfunction()
