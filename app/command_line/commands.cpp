@@ -13,8 +13,10 @@
 #include "core/spline/shape/turning.h"
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
 #include <numeric>
+#include <optional>
 
 namespace splineloft {
 namespace {
@@ -199,6 +201,21 @@ void writeCrossings(JsonText& json, const SelfCrossings& found, const Pieces& pi
     json.boolean(found.complete);
 }
 
+/// Derivatives by t are too large for numbers where a piece takes next to no t. By u they are not.
+std::optional<Refusal> problemOfJet(const Jet& jet, const Spot& spot, const Pieces& pieces) {
+    const auto isFinite = [](const Point& p) {
+        return std::ranges::all_of(p.coordinates(), [](double x) { return std::isfinite(x); });
+    };
+    if (isFinite(jet.first) && isFinite(jet.second)) {
+        return std::nullopt;
+    }
+    return Refusal{"", "",
+                   "the derivatives by t at t = " + shortest(pieces.knots().parameter(spot)) +
+                       " are too large for numbers",
+                   "--segment " + std::to_string(spot.segment) + " --u " + shortest(spot.u) +
+                       ", for derivatives by u; or a wider range of t"};
+}
+
 void writeWeights(JsonText& json, std::string_view key, const Blend& blend, std::size_t first,
                   std::size_t count) {
     std::vector<double> weights(count);
@@ -244,8 +261,11 @@ Result<std::string> evaluate(const SpotQuery& query, std::istream& standardInput
     JsonText json;
     json.beginArray();
     for (const auto& spot : *spots) {
-        writeJet(json, spot, pieces,
-                 query.segment ? pieces.jet(spot) : pieces.jetByParameter(spot));
+        const Jet jet = query.segment ? pieces.jet(spot) : pieces.jetByParameter(spot);
+        if (auto problem = problemOfJet(jet, spot, pieces)) {
+            return chosen->refuse(*std::move(problem));
+        }
+        writeJet(json, spot, pieces, jet);
     }
     json.end();
     return std::move(json).finished();

@@ -19,7 +19,7 @@ constexpr double curvatureTolerance = 1e-7; // relative to the larger curvature
 
 /// One side of a joint.
 struct Side {
-    Point position, first, second; // derivatives by t
+    Point position, first, second; // derivatives by u, which do not depend on the unit of t
     Point direction;               // unit tangent; its limit where the speed is zero
     Point curvature;               // curvature vector
     double speed = 0;
@@ -50,7 +50,7 @@ Point limitDirection(const Piece& piece, bool atEnd, double rounding) {
 
 Side sideOf(const Pieces& pieces, std::size_t segment, bool atEnd) {
     const Piece piece = pieces[segment];
-    const Jet jet = pieces.jetByParameter({segment, atEnd ? 1.0 : 0.0});
+    const Jet jet = pieces.jet({segment, atEnd ? 1.0 : 0.0});
     Side side{jet.position, jet.first, jet.second, {}, Point(piece.dimension)};
     const double interval = pieces.knots().interval(segment);
     side.interval = interval > 0 ? interval : 1;
@@ -61,8 +61,7 @@ Side sideOf(const Pieces& pieces, std::size_t segment, bool atEnd) {
     }
     side.speed = norm(jet.first);
     const double rounding = roundingAt(side.farthest);
-    side.moving =
-        side.speed * side.interval > derivativeTolerance * side.size + piece.degree * rounding;
+    side.moving = side.speed > derivativeTolerance * side.size + piece.degree * rounding;
     side.direction = side.moving ? unitVector(jet.first) : limitDirection(piece, atEnd, rounding);
     if (side.moving) {
         const Point across = jet.second - dot(jet.second, side.direction) * side.direction;
@@ -72,8 +71,8 @@ Side sideOf(const Pieces& pieces, std::size_t segment, bool atEnd) {
             side.moving = false;
             return side;
         }
-        // The derivatives are differences of Bézier points, times degree / interval each time.
-        const double perSpeed = piece.degree / side.interval / side.speed;
+        // The derivatives are differences of Bézier points, times the degree each time.
+        const double perSpeed = piece.degree / side.speed;
         side.turnNoise = rounding * perSpeed;
         side.curvatureNoise = rounding * perSpeed * (perSpeed + 2 * norm(side.curvature));
     }
@@ -85,27 +84,36 @@ double angleBetween(const Point& a, const Point& b) {
     return 2 * std::atan2(norm(a - b), norm(a + b));
 }
 
+/// Numbers beyond the largest double are that.
+double atMostLargest(double value) {
+    return std::min(value, std::numeric_limits<double>::max());
+}
+
 Joint compare(const Side& before, const Side& after, int degree) {
     Joint joint;
     joint.gap = distance(before.position, after.position);
-    joint.firstJump = distance(before.first, after.first);
-    joint.secondJump = distance(before.second, after.second);
+    // Derivatives by the shorter interval are within those by u, whatever the unit of t is.
+    const double h = std::min(before.interval, after.interval);
+    const double stepBefore = h / before.interval, stepAfter = h / after.interval;
+    const double firstJump = distance(stepBefore * before.first, stepAfter * after.first);
+    const double secondJump =
+        distance(stepBefore * (stepBefore * before.second), stepAfter * (stepAfter * after.second));
+    joint.firstJump = atMostLargest(firstJump / h);
+    joint.secondJump = atMostLargest(secondJump / h / h);
     joint.turn = angleBetween(before.direction, after.direction);
     joint.curvatureJump = distance(before.curvature, after.curvature);
     const bool bothMove = before.moving && after.moving;
     joint.atRest = !(before.moving && after.moving);
     joint.mayBeMore = degree > 3;
     joint.speedRatio =
-        bothMove ? std::min(after.speed / before.speed, std::numeric_limits<double>::max()) : 1;
+        bothMove ? atMostLargest(stepAfter * after.speed / (stepBefore * before.speed)) : 1;
 
     const double size = std::max(before.size, after.size);
-    const double h = std::min(before.interval, after.interval);
     const double rounding = roundingAt(std::max(before.farthest, after.farthest));
-    const double rate = degree / h;
     const bool meets = joint.gap <= positionTolerance * size + rounding;
     const double slack = derivativeTolerance * size + rounding;
-    const bool sameFirst = joint.firstJump / rate <= slack;
-    const bool sameSecond = joint.secondJump / rate / rate <= slack;
+    const bool sameFirst = firstJump / degree <= slack;
+    const bool sameSecond = secondJump / degree / degree <= slack;
     joint.c = !meets ? -1 : !sameFirst ? 0 : !sameSecond ? 1 : 2;
 
     const double angle = size > 0 ? rounding / size : 0;
@@ -119,6 +127,13 @@ Joint compare(const Side& before, const Side& after, int degree) {
     return joint;
 }
 
+/// By t a jump may be too small or too large for a number, though it is one by u.
+std::string jumps(double by) {
+    return by > 0 && by < std::numeric_limits<double>::max()
+               ? "jumps by " + threeDigits(by)
+               : "jumps by " + std::string(by > 0 ? "more" : "less") + " than any number";
+}
+
 /// How the speed changes: as a factor, or in percent where the factor would read as 1.
 std::string speedWords(const Joint& joint) {
     const double percent = 100 * (joint.speedRatio - 1);
@@ -126,7 +141,7 @@ std::string speedWords(const Joint& joint) {
         return "the speed changes by the factor " + threeDigits(joint.speedRatio);
     }
     return percent == 0 || joint.atRest
-               ? "the first derivative jumps by " + threeDigits(joint.firstJump)
+               ? "the first derivative " + jumps(joint.firstJump)
                : "the speed " + std::string(percent > 0 ? "grows" : "falls") + " by " +
                      threeDigits(std::abs(percent)) + " %";
 }
@@ -154,7 +169,7 @@ std::vector<Joint> jointsOf(const Pieces& pieces, bool closed) {
 std::string describe(const Joint& joint) {
     const std::string degrees = threeDigits(joint.turn * 180 / std::numbers::pi) + "°";
     const std::string speed = speedWords(joint);
-    const std::string second = "the second derivative jumps by " + threeDigits(joint.secondJump);
+    const std::string second = "the second derivative " + jumps(joint.secondJump);
     if (joint.c < 0) {
         return "broken: a gap of " + threeDigits(joint.gap);
     }

@@ -115,6 +115,20 @@ TEST(CommandLine, refusesDocumentsWithoutPieces) {
     }
 }
 
+TEST(CommandLine, refusesDerivativesThatAreNoNumbers) {
+    const auto curve = curves(R"({"family": "b-spline", "parameters": {"degree": 2},
+        "points": [[1, 0], [1, 3], [2, 2], [4, 1]],
+        "knots": [0, 0, 0, 5e-161, 1e-160, 1e-160, 1e-160]})");
+    const auto byT = run({"eval", "-", "--t", "5e-161"}, curve);
+    EXPECT_EQ(byT.exitCode(), 1);
+    EXPECT_EQ(byT.out, "");
+    EXPECT_EQ(byT.err,
+              "standard input: /curves/0: the derivatives by t at t = 5e-161 are too large for "
+              "numbers; right would be: --segment 1 --u 0, for derivatives by u; or a wider range "
+              "of t\n");
+    EXPECT_EQ(run({"eval", "-", "--segment", "1", "--u", "0"}, curve).exitCode(), 0);
+}
+
 TEST(CommandLine, refusesAmbiguousNames) {
     const auto ran = run({"eval", "-", "--curve", "path", "--t", "0"}, curves(path + "," + path));
     EXPECT_EQ(ran.exitCode(), 1);

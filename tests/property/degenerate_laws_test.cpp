@@ -221,6 +221,51 @@ TEST_P(Degenerate, hugeAndTinyCoordinates) {
     }
 }
 
+/// One of the bounds of a parameter.
+double eitherEnd(const Parameter& parameter, Dice& dice) {
+    return dice.oneIn(2) ? parameter.least : parameter.most;
+}
+
+/// Everything at its bounds at once: coordinates, parameters, values at each point and weights.
+TEST_P(Degenerate, greatestCoordinatesWithParametersAtTheirEnds) {
+    const Family& family = *findFamily(GetParam());
+    for (const auto& form : formsOf(GetParam())) {
+        for (int round = 0; round < roundsOf(40); ++round) {
+            Dice dice(static_cast<std::uint64_t>(round) + 300);
+            Curve curve = emptyCurve(form, 2);
+            const double size = dice.oneIn(4) ? 0.1 * family.mostCoordinate : family.mostCoordinate;
+            const auto corner = [&] {
+                return size * Point{dice.oneIn(2) ? 1.0 : -1.0, dice.oneIn(2) ? 1.0 : -1.0};
+            };
+            // Enough for degree 25, and no more than a polynomial through all points can bear.
+            const int count = family.usesKnots ? 30 : 8;
+            for (int i = 0; i < count; ++i) {
+                curve.points.append(corner());
+                if (family.usesTangents) {
+                    curve.tangents.append(corner());
+                }
+                if (family.usesWeights) {
+                    curve.weights.push_back(dice.oneIn(2) ? 1e-9 : 1e9);
+                }
+            }
+            const bool varies = dice.oneIn(2);
+            for (const auto& parameter : family.parameters) {
+                curve.parameters[std::string(parameter.key)] = eitherEnd(parameter, dice);
+                for (int i = 0; i < count && varies && parameter.local; ++i) {
+                    curve.local[std::string(parameter.key)].push_back(eitherEnd(parameter, dice));
+                }
+            }
+            SCOPED_TRACE(wordsOf(curve) + " round " + std::to_string(round));
+            const auto problem = problemOf(curve);
+            ASSERT_FALSE(problem) << problem->place << ' ' << problem->what;
+            expectFiniteJets(piecesOf(curve));
+            if (HasFailure()) {
+                return;
+            }
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Families, Degenerate, testing::ValuesIn(familyIds()), testNameOf);
 
 } // namespace

@@ -1,6 +1,9 @@
 // Joints made by hand: what is measured there, and in which words it is said.
 #include "core/spline/continuity.h"
 
+#include "core/spline/curve.h"
+#include "core/spline/problem.h"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -110,6 +113,41 @@ TEST(Joint, curvatureJumps) {
     // |P' x P''| / |P'|^3 with P' = (6, 0) and P'' = 6 ((20, 23) - 2 (18, 20) + (16, 20)) = (0,
     // 18).
     EXPECT_NEAR(joint.curvatureJump, 0.5, 1e-14);
+}
+
+/// Two parabolas of a B-spline with the knots 0, 0, 0, k / 2, k, k, k.
+Joint jointOverInterval(double k) {
+    Curve curve;
+    curve.family = "b-spline";
+    curve.parameters["degree"] = 2;
+    curve.coordinates = {"x", "y"};
+    curve.points = Points{{1, 0}, {1, 3}, {2, 2}, {4, 1}};
+    curve.ends = Ends::none;
+    curve.knots = {0, 0, 0, k / 2, k, k, k};
+    EXPECT_FALSE(problemOf(curve)) << problemOf(curve)->what;
+    const auto joints = jointsOf(piecesOf(curve), false);
+    EXPECT_EQ(joints.size(), 1u);
+    return joints.front();
+}
+
+TEST(Joint, isAsSmoothWhateverTheUnitOfT) {
+    // By u, P' = (1, -1) and P'' = (1, -7) before, (1, 0) after: |P' x P''| / |P'|^3 is 6 and 1
+    // over sqrt(8), and the curvature vectors point the same way.
+    for (const double k : {1e-300, 1e-160, 1e-150, 1e-9, 1.0, 2.0, 1e9, 1e160, 1e200, 1e300}) {
+        const Joint joint = jointOverInterval(k);
+        EXPECT_EQ(joint.c, 1) << k;
+        EXPECT_EQ(joint.g, 1) << k;
+        EXPECT_NEAR(joint.curvatureJump, jointOverInterval(2).curvatureJump, 1e-14) << k;
+        EXPECT_NEAR(joint.speedRatio, 1, 1e-14) << k;
+        EXPECT_FALSE(joint.atRest) << k;
+    }
+}
+
+TEST(Joint, saysWhenAJumpByTIsNoNumber) {
+    EXPECT_EQ(describe(jointOverInterval(1e-300)),
+              "C¹: the second derivative jumps by more than any number");
+    EXPECT_EQ(describe(jointOverInterval(1e300)),
+              "C¹: the second derivative jumps by less than any number");
 }
 
 } // namespace

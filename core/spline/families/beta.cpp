@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace splineloft::families {
 namespace {
@@ -72,11 +73,16 @@ struct Beta {
         }
         const double b1 = input.parameters[0];
         const Recipe<double> recipe(b1, input.parameters[1], 1.0);
+        // A power of two first brings the weights to the size of 1: products with the farthest
+        // points stay finite, and every digit as it is.
+        const double scale = std::ldexp(1.0, -std::ilogb(recipe.delta));
+        const double over = 1 / (scale * recipe.delta);
         const auto p = input.points.subspan(i, 4);
         for (std::size_t j = 0; j < 4; ++j) {
-            const auto& weights = recipe.weights[j];
-            bezier[j] = (1 / recipe.delta) * (weights[0] * p[0] + weights[1] * p[1] +
-                                              weights[2] * p[2] + weights[3] * p[3]);
+            std::array<double, 4> weights = recipe.weights[j];
+            std::ranges::transform(weights, weights.begin(), [=](double w) { return scale * w; });
+            bezier[j] = over * (weights[0] * p[0] + weights[1] * p[1] + weights[2] * p[2] +
+                                weights[3] * p[3]);
         }
     }
 

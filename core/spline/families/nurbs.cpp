@@ -16,6 +16,8 @@ Family nurbs() {
         .ends = {Ends::clamped, Ends::open, Ends::doubled, Ends::reflected},
         .usesKnots = true,
         .usesWeights = true,
+        // Second derivatives multiply it by up to 10^40 where weights differ by 10^18.
+        .mostCoordinate = 1e250,
         .spacing = Spacing::knotVector,
         .layout = [](const Extent& extent) { return Blossom::layout(extent, Form::rational); },
     });

@@ -53,10 +53,10 @@ bool isGood(const Speed& speed, double start, double end, const gauss::Samples& 
 /// Elsewhere, panels are halved until their samples show that they have converged.
 template <SpeedAlongPiece Speed, class Take>
 void forEachPanel(const Speed& speed, double tolerance, Take take) {
-    std::array<double, 64> ends; // of the panels still to come, the next one last
+    std::array<double, Speed::mostHalvings> ends; // of the panels still to come, the next one last
     std::size_t waiting = 0;
-    ends[waiting++] = 1;
-    double start = 0;
+    ends[waiting++] = speed.range().end;
+    double start = speed.range().start;
     for (std::size_t cuts = 0; waiting > 0;) {
         const double end = ends[waiting - 1];
         const double middle = 0.5 * (start + end);
@@ -102,11 +102,11 @@ double lengthOf(const Pieces& pieces, double tolerance) {
     const double each = tolerance > 0 ? share * tolerance / static_cast<double>(pieces.size()) : 0;
     double total = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        total += withSpeed(pieces[i], [&](const auto& speed) {
-            return lengthOfPiece(speed,
-                                 std::max(each / speed.unit(), fullPrecision * speed.size()));
+        withSpeeds(pieces[i], [&](const auto& speed) {
+            total +=
+                lengthOfPiece(speed, std::max(each / speed.unit(), fullPrecision * speed.size()));
+            total = finite(total);
         });
-        total = finite(total);
     }
     return total;
 }
@@ -115,7 +115,7 @@ ArcLength::ArcLength(const Pieces& pieces) : pieces_(&pieces) {
     panels_.reserve(4 * pieces.size());
     double total = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        withSpeed(pieces[i], [&](const auto& speed) {
+        withSpeeds(pieces[i], [&](const auto& speed) {
             forEachPanel(speed, fullPrecision * speed.size(),
                          [&](double start, double end, double length) {
                              const double before = total;
@@ -128,22 +128,27 @@ ArcLength::ArcLength(const Pieces& pieces) : pieces_(&pieces) {
 
 double ArcLength::upTo(Spot spot) const {
     const auto endsBefore = [](const Panel& panel, const Spot& s) {
-        return panel.segment < s.segment || (panel.segment == s.segment && panel.end < s.u);
+        return panel.segment < s.segment ||
+               (panel.segment == s.segment && panel.end < panel.parameterAt(s.u));
     };
     const auto panel = std::lower_bound(panels_.begin(), panels_.end(), spot, endsBefore);
     if (panel == panels_.end()) {
         return total();
     }
-    return withSpeed((*pieces_)[panel->segment], [&](const auto& speed) {
-        return finite(panel->lengthAtStart + speed.unit() * integral(speed, panel->start, spot.u));
+    return withSpeed((*pieces_)[panel->segment], halfOf(panel->start), [&](const auto& speed) {
+        const double end = panel->parameterAt(spot.u);
+        return finite(panel->lengthAtStart + speed.unit() * integral(speed, panel->start, end));
     });
 }
 
 void ArcLength::findOn(const Panel& panel, std::span<double> lengths) const {
-    withSpeed((*pieces_)[panel.segment], [&](const auto& speed) {
+    withSpeed((*pieces_)[panel.segment], halfOf(panel.start), [&](const auto& speed) {
         Walk(speed, chartError * total())
             .along({panel.start, panel.end}, panel.lengthAtStart, lengths);
     });
+    if (panel.isFromEnd()) {
+        std::ranges::transform(lengths, lengths.begin(), [](double x) { return 1 + x; });
+    }
 }
 
 Spot ArcLength::spotAt(double length) const {
@@ -151,7 +156,7 @@ Spot ArcLength::spotAt(double length) const {
         return {};
     }
     if (length >= total()) {
-        return {panels_.back().segment, panels_.back().end};
+        return {panels_.back().segment, 1};
     }
     const auto& panel = *std::ranges::lower_bound(panels_, length, {}, &Panel::lengthAtEnd);
     findOn(panel, std::span(&length, 1));
@@ -191,7 +196,7 @@ std::vector<SpotRun> ArcLength::toParameters(std::span<double> lengths) const {
         next = after;
     }
     if (next < lengths.size()) {
-        std::ranges::fill(lengths.subspan(next), panels_.back().end);
+        std::ranges::fill(lengths.subspan(next), 1.0);
         add(panels_.back().segment, lengths.size() - next);
     }
     return runs;

@@ -22,6 +22,11 @@ struct SpotRun {
 /// Lengths of a curve, measured once: total, up to a spot, and back from length to spot. Each piece
 /// is cut into panels on which 16-point Gauss quadrature of the speed has converged; near a cusp
 /// the cutting stops where the rest is below rounding. Bounded work for any input.
+///
+/// Lengths hold for all weights that a curve may have. A spot is as near as its u can say: toward
+/// u = 1, where numbers lie 1.1e-16 apart, a rational piece with weights as uneven as 1 to 1e9 runs
+/// 1e9 times as fast as elsewhere, and the spots on it lie up to half such a step times the speed
+/// off. Toward u = 0, where numbers are dense, they do not.
 class ArcLength {
   public:
     /// Measures `pieces`, of which it keeps a reference. Relative error about 1e-14.
@@ -42,8 +47,13 @@ class ArcLength {
   private:
     struct Panel {
         std::size_t segment;
-        double start, end; ///< values of u
+        /// Values of u; on the second half of a rational piece, where `start` is below zero, of
+        /// u - 1, which says more exactly how far from the end they are.
+        double start, end;
         double lengthAtStart, lengthAtEnd;
+
+        bool isFromEnd() const { return start < 0; }
+        double parameterAt(double u) const { return isFromEnd() ? u - 1 : u; }
     };
 
     void findOn(const Panel& panel, std::span<double> lengths) const;

@@ -12,11 +12,6 @@
 
 namespace splineloft {
 
-/// The parameters between which a panel lies.
-struct Stretch {
-    double start = 0, end = 1;
-};
-
 /// The parameter at `wanted` units of length beyond the start of a panel: Newton's method on the
 /// length, between bounds that close in from both sides. `whole` is the length of the panel.
 template <SpeedAlongPiece Speed>
@@ -29,7 +24,7 @@ double parameterAt(const Speed& speed, Stretch panel, double wanted, double whol
         const double excess = integral(speed, panel.start, u) - wanted;
         const double rate = speed.at(u);
         // Where the next step would be rounding, u is found. (It might leave the bounds, though.)
-        if (std::abs(excess) <= epsilon * std::max(rate, whole)) {
+        if (std::abs(excess) <= epsilon * std::max(speed.grain(u) * rate, whole)) {
             break;
         }
         (excess > 0 ? high : low) = u;

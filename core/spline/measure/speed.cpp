@@ -9,17 +9,12 @@
 #include <limits>
 
 namespace splineloft {
-namespace {
+namespace {} // namespace
 
-// Differences of coordinates of any size are formed of sixteenths, so that they stay finite.
-constexpr double sixteenth = 1.0 / 16;
-
-} // namespace
-
-SpeedHull hullOf(std::span<const double> velocities, std::size_t dimension, std::size_t width) {
+SpeedHull hullOf(std::span<const double> velocities, std::size_t dimension) {
     constexpr double nothing = 1e-14; // of the fastest: rounding of what is zero
-    const auto count = velocities.size() / width;
-    const auto at = [&](std::size_t i) { return velocities.subspan(i * width, dimension); };
+    const auto count = velocities.size() / dimension;
+    const auto at = [&](std::size_t i) { return velocities.subspan(i * dimension, dimension); };
     const auto product = [](std::span<const double> a, std::span<const double> b) {
         double sum = 0;
         for (std::size_t k = 0; k < a.size(); ++k) {
@@ -33,8 +28,7 @@ SpeedHull hullOf(std::span<const double> velocities, std::size_t dimension, std:
     for (std::size_t i = 0; i < count; ++i) {
         const double square = product(at(i), at(i));
         largest2 = std::max(largest2, square);
-        const double weight = width > dimension ? velocities[i * width + dimension] : 1;
-        hull.fastest = std::max(hull.fastest, std::sqrt(square) / weight);
+        hull.fastest = std::max(hull.fastest, std::sqrt(square));
         for (std::size_t k = 0; k < dimension; ++k) {
             mean[k] += at(i)[k] / static_cast<double>(count);
         }
@@ -98,49 +92,24 @@ template class ParabolaSpeed<1>;
 template class ParabolaSpeed<2>;
 template class ParabolaSpeed<3>;
 
-namespace {
-
-/// The largest of the coordinates in homogeneous points, and the largest weight.
-struct Largest {
-    double coordinate = 0;
-    double weight = 0;
-
-    Largest(std::span<const double> numbers, std::size_t dimension, std::size_t width) {
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            auto& largest = i % width < dimension ? coordinate : weight;
-            largest = std::max(largest, std::abs(numbers[i]));
-        }
-    }
-};
-
-} // namespace
-
 LadderSpeed::LadderSpeed(const Piece& piece)
-    : dimension_(static_cast<std::size_t>(piece.dimension)),
-      width_(static_cast<std::size_t>(piece.width())) {
+    : dimension_(static_cast<std::size_t>(piece.dimension)) {
     // First the numbers are made so small that neither differences nor products overflow, then the
     // hodograph's coordinates are brought to 1 at most.
-    const Largest before(piece.coordinates, dimension_, width_);
-    const double weightScale = scaleFor(before.weight);
-    const double scale = sixteenth * scaleFor(weightScale * before.coordinate);
+    const double scale = sixteenth * scaleFor(largestOf(piece.coordinates));
     std::vector<double> scaled(piece.coordinates.begin(), piece.coordinates.end());
-    for (std::size_t i = 0; i < scaled.size(); ++i) {
-        scaled[i] *= weightScale;
-        scaled[i] *= i % width_ < dimension_ ? scale : 1;
-    }
+    std::ranges::transform(scaled, scaled.begin(), [=](double x) { return scale * x; });
     Piece small = piece;
     small.coordinates = scaled;
     const Pieces derivative = hodograph(small);
     coordinates_.assign(derivative.bezier().begin(), derivative.bezier().end());
     rungs_.resize(coordinates_.size());
-    const double largest = Largest(coordinates_, dimension_, width_).coordinate;
+    const double largest = largestOf(coordinates_);
     const bool rests = largest < std::numeric_limits<double>::min();
-    for (std::size_t i = 0; i < coordinates_.size(); ++i) {
-        const bool isWeight = i % width_ >= dimension_;
-        coordinates_[i] = rests ? (isWeight ? 1 : 0) : coordinates_[i] / (isWeight ? 1 : largest);
-    }
+    std::ranges::transform(coordinates_, coordinates_.begin(),
+                           [=](double x) { return rests ? 0 : x / largest; });
     unit_ = rests ? 1 : std::min(largest / scale, std::numeric_limits<double>::max());
-    const Piece whole{coordinates_, derivative.degree(), piece.dimension, piece.form};
+    const Piece whole{coordinates_, derivative.degree(), piece.dimension};
     for (int i = 0; i <= whole.degree; ++i) {
         size_ += norm(whole.bezierPoint(i)) / (whole.degree + 1);
     }
@@ -148,21 +117,21 @@ LadderSpeed::LadderSpeed(const Piece& piece)
 
 /// One level of de Casteljau's ladder: the points but the last are replaced.
 void LadderSpeed::climbAll(std::span<double> rungs, double u) const {
-    for (std::size_t i = 0; i + width_ < rungs.size(); ++i) {
-        rungs[i] = lerp(rungs[i], rungs[i + width_], u);
+    for (std::size_t i = 0; i + dimension_ < rungs.size(); ++i) {
+        rungs[i] = lerp(rungs[i], rungs[i + dimension_], u);
     }
 }
 
 double LadderSpeed::at(double u) const {
     std::ranges::copy(coordinates_, rungs_.begin());
-    for (auto left = rungs_.size(); left > width_; left -= width_) {
+    for (auto left = rungs_.size(); left > dimension_; left -= dimension_) {
         climbAll(std::span(rungs_).first(left), u);
     }
     double sum = 0;
     for (std::size_t k = 0; k < dimension_; ++k) {
         sum += rungs_[k] * rungs_[k];
     }
-    return std::sqrt(sum) / (width_ > dimension_ ? rungs_[dimension_] : 1);
+    return std::sqrt(sum);
 }
 
 gauss::Samples LadderSpeed::on(double middle, double half) const {
@@ -179,14 +148,14 @@ SpeedHull LadderSpeed::hullOn(double start, double end) const {
     std::ranges::copy(coordinates_, rungs_.begin());
     std::vector<double> part;
     part.reserve(rungs_.size());
-    for (auto left = rungs_.size(); left > 0; left -= width_) {
-        part.insert(part.end(), rungs_.begin(), rungs_.begin() + static_cast<int>(width_));
+    for (auto left = rungs_.size(); left > 0; left -= dimension_) {
+        part.insert(part.end(), rungs_.begin(), rungs_.begin() + static_cast<int>(dimension_));
         climbAll(std::span(rungs_).first(left), end);
     }
-    for (auto left = part.size(); left > width_; left -= width_) {
+    for (auto left = part.size(); left > dimension_; left -= dimension_) {
         climbAll(std::span(part).first(left), end > 0 ? start / end : 0);
     }
-    return hullOf(part, dimension_, width_);
+    return hullOf(part, dimension_);
 }
 
 } // namespace splineloft

@@ -4,49 +4,30 @@
 #include "core/spline/fast/lanes/panel_lanes.h"
 #include "core/spline/fast/lanes/speed_lanes.h"
 #include "core/spline/measure/quadrature.h"
+#include "core/spline/measure/rational_speed.h"
+#include "core/spline/measure/speed_along_piece.h"
 #include "core/spline/piece.h"
 
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace splineloft {
 
-/// What the Bézier points of the hodograph over a panel say of the speed there.
-struct SpeedHull {
-    double fastest = 0; ///< the speed is nowhere above this
-    /// The part of the mean velocity that is kept everywhere, in its own direction: far above zero
-    /// there is no cusp nearby. Where the piece rests at an end of the panel, that end is left out,
-    /// for it does not roughen the speed.
-    double least = 0;
-};
-
-/// The hull of velocities in rows of `width` numbers, of which the first `dimension` are
-/// coordinates and a last one, if there is one more, their weight.
-SpeedHull hullOf(std::span<const double> velocities, std::size_t dimension, std::size_t width);
-
-/// What is asked of a speed. All numbers are in its `unit()`, which keeps squares from overflowing
-/// and vanishing.
-template <class S>
-concept SpeedAlongPiece = requires(const S& speed, double u) {
-    { speed.unit() } -> std::same_as<double>;
-    { speed.size() } -> std::same_as<double>; ///< the piece is no longer than a few of this
-    { speed.at(u) } -> std::same_as<double>;
-    { speed.on(u, u) } -> std::same_as<gauss::Samples>; ///< a panel by its middle and half width
-    { speed.hullOn(u, u) } -> std::same_as<SpeedHull>;  ///< a panel by its ends
-};
-
 /// Speed of a polynomial piece of degree 0 to 3 in few dimensions: its hodograph is the parabola
 /// a + b u + c u^2. Allocates nothing.
 template <int dimension> class ParabolaSpeed {
   public:
+    static constexpr std::size_t mostHalvings = 64;
+
     explicit ParabolaSpeed(const Piece& piece);
 
     double unit() const { return unit_; }
     double size() const { return size_; }
+    static Stretch range() { return {}; }
+    static double grain(double) { return 1; }
 
     double at(double u) const {
         double sum = 0;
@@ -78,7 +59,7 @@ template <int dimension> class ParabolaSpeed {
                 from + half * (velocity_.b[k] + 2 * start * velocity_.c[k]);
             velocities[2 * coordinates + k] = velocity(k, end);
         }
-        return hullOf(velocities, coordinates, coordinates);
+        return hullOf(velocities, coordinates);
     }
 
     /// Cuts the piece, on a line or in the plane, into panels on which quadrature with so many
@@ -102,13 +83,17 @@ template <int dimension> class ParabolaSpeed {
     double size_ = 0;
 };
 
-/// Speed of any piece, by de Casteljau's construction on its hodograph.
+/// Speed of any polynomial piece, by de Casteljau's construction on its hodograph.
 class LadderSpeed {
   public:
+    static constexpr std::size_t mostHalvings = 64;
+
     explicit LadderSpeed(const Piece& piece);
 
     double unit() const { return unit_; }
     double size() const { return size_; }
+    static Stretch range() { return {}; }
+    static double grain(double) { return 1; }
     double at(double u) const;
     gauss::Samples on(double middle, double half) const;
     SpeedHull hullOn(double start, double end) const;
@@ -118,14 +103,17 @@ class LadderSpeed {
 
     std::vector<double> coordinates_; // of the hodograph's Bézier points, in units
     mutable std::vector<double> rungs_;
-    std::size_t dimension_, width_;
+    std::size_t dimension_;
     double unit_ = 1;
     double size_ = 0;
 };
 
-/// Calls `visit` with the quickest speed for the piece.
-template <class Visit> auto withSpeed(const Piece& piece, Visit&& visit) {
-    if (piece.form == Form::polynomial && piece.degree <= 3) {
+/// Calls `visit` with the quickest speed for the piece; for the half of it, where it is rational.
+template <class Visit> auto withSpeed(const Piece& piece, Half half, Visit&& visit) {
+    if (piece.form == Form::rational) {
+        return visit(RationalSpeed(piece, half));
+    }
+    if (piece.degree <= 3) {
         switch (piece.dimension) {
         case 1: return visit(ParabolaSpeed<1>(piece));
         case 2: return visit(ParabolaSpeed<2>(piece));
@@ -134,6 +122,14 @@ template <class Visit> auto withSpeed(const Piece& piece, Visit&& visit) {
         }
     }
     return visit(LadderSpeed(piece));
+}
+
+/// Calls `visit` with the speed of the whole piece, or of one half after the other.
+template <class Visit> void withSpeeds(const Piece& piece, Visit visit) {
+    withSpeed(piece, Half::first, visit);
+    if (piece.form == Form::rational) {
+        withSpeed(piece, Half::second, visit);
+    }
 }
 
 /// Length, in units, of the part from u = start to u = end, on which the speed is smooth.
