@@ -13,7 +13,7 @@ string(APPEND private |scale|rounded|natural_slopes|arcs)
 string(APPEND private |corners|fit|knotted|proposers|change/shape|trial|length_chart)
 string(APPEND private |svg_arc|svg_scanner|number_lines|excerpt|heal|reversal|tangents|tidy)
 string(APPEND private |document/change)
-string(APPEND private |length_walk|nearest_any|nearest_cubic|nearest_search|quadrature|speed|thick_chords)
+string(APPEND private |length_walk|rational_speed|speed_along_piece|nearest_any|nearest_cubic|nearest_search|quadrature|speed|thick_chords)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${headers}
         FILES_MATCHING PATTERN "*.h" REGEX "/(${private})(\\.h|$)" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/core/splineloft.h DESTINATION ${headers})
