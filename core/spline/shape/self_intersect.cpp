@@ -1,10 +1,10 @@
 #include "core/spline/shape/self_intersect.h"
 
+#include "core/spline/algebra/scale.h"
 #include "core/spline/shape/arcs.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace splineloft {
@@ -14,6 +14,36 @@ namespace {
 // size, and (where it runs slowly) in u.
 constexpr double placeTolerance = 1e-9;
 constexpr double spotTolerance = 1e-4;
+// Spots as near to a joint as this, in the curve's size, are the joint.
+constexpr double jointTolerance = 1e-12;
+// So many are found before those found twice are sorted out.
+constexpr std::size_t leastRoom = 1024;
+
+/// One of the two passings of a place, while they are looked for: `segment` counts only pieces that
+/// get anywhere, so that spots are as far apart as their numbers.
+using Passing = Spot;
+
+double along(Passing passing) {
+    return static_cast<double>(passing.segment) + passing.u;
+}
+
+/// A place passed twice, the earlier time first.
+struct Found {
+    Passing a, b;
+    Point place;
+    double from = 0, to = 0; ///< along the curve; around its seam one of them is below 0
+
+    int jointsNamed() const { return (a.u == 0 ? 1 : 0) + (b.u == 0 ? 1 : 0); }
+};
+
+/// What lengths around a place of a piece are compared with.
+double sizeAround(const Piece& piece, const Point& place) {
+    double size = 0;
+    for (int k = 0; k <= piece.degree; ++k) {
+        size = std::max(size, distance(piece.bezierPoint(k), place));
+    }
+    return size;
+}
 
 bool overlap(const Arc& a, const Arc& b, std::size_t coordinate) {
     const double slack = std::max(a.rounding, b.rounding);
@@ -40,7 +70,14 @@ class CrossingSearch {
             for (int c = 0; c < 2; ++c) {
                 size_ = std::max({size_, std::abs(start[c]), std::abs(end[c])});
             }
-            closed_ = distance(start, end) <= 64 * std::numeric_limits<double>::epsilon() * size_;
+            closed_ = distance(start, end) <= 64 * epsilon * size_;
+        }
+        number_.resize(pieces.size());
+        for (const auto& arc : arcs_) {
+            if (moving_.empty() || moving_.back() != arc.segment) {
+                number_[arc.segment] = moving_.size();
+                moving_.push_back(arc.segment);
+            }
         }
     }
 
@@ -58,8 +95,7 @@ class CrossingSearch {
                 if (overlap(arcs_[k], arcs_[i], 1)) {
                     meet(std::min(i, k), std::max(i, k));
                 }
-                if (found_.crossings.size() >= most_) {
-                    found_.complete = false;
+                if (found_.size() > room_ && !makeRoom()) {
                     return finished();
                 }
             }
@@ -79,76 +115,134 @@ class CrossingSearch {
             return;
         }
         const Meetings meetings = meetingsOf(a, b, shared, pieces_[0]);
-        found_.complete = found_.complete && !meetings.coincide;
+        complete_ = complete_ && !meetings.coincide;
         for (const auto& meeting : meetings.all) {
-            add(spotAt(a.segment, meeting.a), spotAt(b.segment, meeting.b));
+            add(passing(a.segment, meeting.a), passing(b.segment, meeting.b));
         }
     }
 
-    /// The spot, as the start of the later piece where it is a joint.
-    Spot spotAt(std::size_t segment, double u) const {
-        if (u == 1 && segment + 1 < pieces_.size()) {
-            return {segment + 1, 0};
+    /// The start of a piece, counted among those that get anywhere. The end of a closed curve is
+    /// its start.
+    Passing jointAt(std::size_t number) const {
+        if (number < moving_.size()) {
+            return {number, 0};
         }
-        return u == 1 && closed_ ? Spot{0, 0} : Spot{segment, u};
+        return closed_ ? Passing{0, 0} : Passing{number - 1, 1};
     }
 
-    void add(Spot a, Spot b) {
+    /// The spot, as the start of the later piece where it is a joint within rounding.
+    Passing passing(std::size_t segment, double u) const {
+        const Piece piece = pieces_[segment];
+        const std::size_t number = number_[segment];
+        const Point place = piece.position(u);
+        const auto isHere = [&](int end) {
+            const Point joint = piece.bezierPoint(end);
+            const double slack =
+                jointTolerance * sizeAround(piece, joint) + 64 * epsilon * norm(joint);
+            return distance(place, joint) <= slack;
+        };
+        if (u < spotTolerance && isHere(0)) {
+            return jointAt(number);
+        }
+        return u > 1 - spotTolerance && isHere(piece.degree) ? jointAt(number + 1)
+                                                             : Passing{number, u};
+    }
+
+    /// The spot of the curve.
+    Spot spotOf(Passing passing) const {
+        const bool isSeam = closed_ && passing == Passing{0, 0};
+        return isSeam ? Spot{0, 0} : Spot{moving_[passing.segment], passing.u};
+    }
+
+    void add(Passing a, Passing b) {
+        if (a == b) {
+            return; // one spot is no crossing
+        }
         if (std::tie(b.segment, b.u) < std::tie(a.segment, a.u)) {
             std::swap(a, b);
         }
-        found_.crossings.push_back({a, b, pieces_.position(a)});
+        const auto around = static_cast<double>(moving_.size());
+        const bool beforeSeam = closed_ && along(b) > around - spotTolerance;
+        found_.push_back({a, b, pieces_.position(spotOf(a)),
+                          beforeSeam ? along(b) - around : along(a),
+                          beforeSeam ? along(a) : along(b)});
     }
 
-    bool near(Spot a, Spot b) const {
-        double along =
-            std::abs(static_cast<double>(a.segment) - static_cast<double>(b.segment) + a.u - b.u);
-        const auto around = static_cast<double>(pieces_.size());
-        along = closed_ ? std::min(along, std::abs(around - along)) : along;
-        return along <= spotTolerance;
-    }
-
-    /// In order, without those found twice.
-    SelfCrossings finished() {
-        auto& all = found_.crossings;
-        std::ranges::sort(all, [](const SelfCrossing& p, const SelfCrossing& q) {
-            return std::tie(p.a.segment, p.a.u, p.b.segment, p.b.u) <
-                   std::tie(q.a.segment, q.a.u, q.b.segment, q.b.u);
-        });
-        std::vector<SelfCrossing> kept;
-        for (const auto& crossing : all) {
-            bool again = crossing.a == crossing.b; // one spot is no crossing
-            for (auto k = kept.size(); k > 0 && near(kept[k - 1].a, crossing.a) && !again; --k) {
-                again = near(kept[k - 1].b, crossing.b) &&
-                        distance(kept[k - 1].place, crossing.place) <=
-                            placeTolerance * sizeAt(crossing);
-            }
-            if (!again) {
-                kept.push_back(crossing);
-            }
-        }
-        all = std::move(kept);
-        return std::move(found_);
+    /// Whether two meetings of arcs are one.
+    bool same(const Found& p, const Found& q) const {
+        return std::abs(p.from - q.from) <= spotTolerance &&
+               std::abs(p.to - q.to) <= spotTolerance &&
+               distance(p.place, q.place) <= placeTolerance * sizeAt(q);
     }
 
     /// What lengths around a crossing are compared with.
-    double sizeAt(const SelfCrossing& crossing) const {
-        double size = 0;
-        for (const Spot spot : {crossing.a, crossing.b}) {
-            const Piece piece = pieces_[spot.segment];
-            for (int k = 0; k <= piece.degree; ++k) {
-                size = std::max(size, distance(piece.bezierPoint(k), crossing.place));
+    double sizeAt(const Found& found) const {
+        return std::max(sizeAround(pieces_[spotOf(found.a).segment], found.place),
+                        sizeAround(pieces_[spotOf(found.b).segment], found.place));
+    }
+
+    /// Keeps one of those found twice: the one that names a joint, where one does.
+    void keepEachOnce() {
+        std::ranges::sort(found_, {}, &Found::from);
+        std::vector<Found> kept;
+        for (auto first = found_.begin(); first != found_.end();) {
+            auto last = first + 1; // of a run of neighbours along the curve
+            while (last != found_.end() && last->from - (last - 1)->from <= spotTolerance) {
+                ++last;
+            }
+            std::sort(first, last, [](const Found& p, const Found& q) { return p.to < q.to; });
+            const auto ofRun = static_cast<std::ptrdiff_t>(kept.size());
+            for (; first != last; ++first) {
+                auto twin = kept.end();
+                for (auto k = kept.end(); k != kept.begin() + ofRun && twin == kept.end();) {
+                    --k;
+                    if (first->to - k->to > spotTolerance) {
+                        break;
+                    }
+                    twin = same(*k, *first) ? k : twin;
+                }
+                if (twin == kept.end()) {
+                    kept.push_back(std::move(*first));
+                } else if (first->jointsNamed() > twin->jointsNamed()) {
+                    *twin = std::move(*first);
+                }
             }
         }
-        return size;
+        found_ = std::move(kept);
+    }
+
+    /// Makes room for more to be found, unless there are too many already.
+    bool makeRoom() {
+        keepEachOnce();
+        room_ = 2 * found_.size() + leastRoom;
+        return found_.size() <= most_;
+    }
+
+    SelfCrossings finished() {
+        keepEachOnce();
+        SelfCrossings result;
+        for (const auto& found : found_) {
+            result.crossings.push_back({spotOf(found.a), spotOf(found.b), found.place});
+        }
+        std::ranges::sort(result.crossings, [](const SelfCrossing& p, const SelfCrossing& q) {
+            return std::tie(p.a.segment, p.a.u, p.b.segment, p.b.u) <
+                   std::tie(q.a.segment, q.a.u, q.b.segment, q.b.u);
+        });
+        result.complete = complete_ && found_.size() <= most_;
+        result.crossings.resize(std::min(result.crossings.size(), most_));
+        return result;
     }
 
     const Pieces& pieces_;
     std::vector<Arc> arcs_;
     std::size_t most_;
+    std::size_t room_ = leastRoom; ///< for so many found, some of them twice
     double size_ = 0;
     bool closed_ = false;
-    SelfCrossings found_;
+    std::vector<std::size_t> moving_; ///< the pieces that get anywhere
+    std::vector<std::size_t> number_; ///< of each piece among those
+    std::vector<Found> found_;
+    bool complete_ = true;
 };
 
 } // namespace

@@ -10,11 +10,13 @@ namespace splineloft {
 
 /// One place that a curve passes twice.
 struct SelfCrossing {
-    Spot a, b; ///< the earlier and the later spot; joints as the start of the later piece
+    /// The earlier and the later spot. A joint within rounding is the start of the piece after it
+    /// that gets anywhere; the end of a curve that ends where it starts is its start, {0, 0}.
+    Spot a, b;
     Point place;
 };
 
-/// All such places, in the order of `a`, then `b`.
+/// All such places, each once, in the order of `a`, then `b`.
 struct SelfCrossings {
     std::vector<SelfCrossing> crossings;
     /// Whether these are all. Not so where stretches of the curve coincide, inside of which no
