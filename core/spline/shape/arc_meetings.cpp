@@ -53,6 +53,7 @@ Stretch stretchFrom(std::vector<double> bezier, double low, double high, const P
     s.bezier = std::move(bezier);
     s.low = low;
     s.high = high;
+    s.places.reserve(static_cast<std::size_t>(shape.degree) + 1);
     const auto width = static_cast<std::size_t>(shape.width());
     for (std::size_t i = 0; i < s.bezier.size(); i += width) {
         const double weight = shape.form == Form::rational ? s.bezier[i + 2] : 1;
@@ -121,11 +122,11 @@ class MeetingSearch {
 
     Meetings run() {
         std::vector<Pair> alive = {{0, 1}};
-        for (int looks = 0; !alive.empty();) {
-            if (alive.size() > mostAlive || looks > mostLooks) {
-                return {{}, true};
+        while (!alive.empty()) {
+            if (alive.size() > mostAlive || meetings_.looks > mostLooks) {
+                return {{}, true, meetings_.looks};
             }
-            looks += static_cast<int>(alive.size());
+            meetings_.looks += static_cast<int>(alive.size());
             std::vector<Pair> next;
             for (const Pair pair : alive) {
                 look(pair, next);

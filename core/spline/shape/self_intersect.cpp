@@ -1,7 +1,7 @@
 #include "core/spline/shape/self_intersect.h"
 
 #include "core/spline/algebra/scale.h"
-#include "core/spline/shape/arcs.h"
+#include "core/spline/shape/arc_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,12 @@ constexpr double spotTolerance = 1e-4;
 constexpr double jointTolerance = 1e-12;
 // So many are found before those found twice are sorted out.
 constexpr std::size_t leastRoom = 1024;
+// Work, counted in boxes compared, by the time that it takes: for a pair of arcs; for one look at
+// two stretches of theirs, times the square of the number of their Bézier points; and how much
+// there may be altogether, a few seconds.
+constexpr std::int64_t workOfAPair = 20;
+constexpr std::int64_t workOfALook = 15;
+constexpr std::int64_t mostWork = 600'000'000;
 
 /// One of the two passings of a place, while they are looked for: `segment` counts only pieces that
 /// get anywhere, so that spots are as far apart as their numbers.
@@ -45,16 +51,35 @@ double sizeAround(const Piece& piece, const Point& place) {
     return size;
 }
 
-bool overlap(const Arc& a, const Arc& b, std::size_t coordinate) {
-    const double slack = std::max(a.rounding, b.rounding);
-    return a.least[coordinate] <= b.greatest[coordinate] + slack &&
-           b.least[coordinate] <= a.greatest[coordinate] + slack;
-}
-
 /// Whether x or y runs the same way along both of two arcs that follow each other; then they have
 /// only their joint in common.
 bool runsThrough(const Arc& a, const Arc& b) {
     return a.runs[0] + b.runs[0] != 0 || a.runs[1] + b.runs[1] != 0;
+}
+
+/// Where one of two arcs ends that lies beside the start of the other, so that they have no more
+/// than that place in common; if they do.
+std::optional<Meeting> passingOn(const Arc& a, const Arc& b) {
+    const double rounding = std::max(a.rounding, b.rounding);
+    for (std::size_t c = 0; c < 2; ++c) {
+        const bool rises = a.least[c] < b.least[c];
+        const auto& lower = rises ? a : b;
+        const auto& upper = rises ? b : a;
+        if (a.runs[c] == 0 || b.runs[c] == 0 || lower.greatest[c] > upper.least[c] + rounding) {
+            continue;
+        }
+        const std::size_t other = 1 - c;
+        const auto acrossAt = [other](const Arc& arc, bool atEnd) {
+            const bool atGreatest = arc.runs[other] == 0 || (arc.runs[other] > 0) == atEnd;
+            return atGreatest ? arc.greatest[other] : arc.least[other];
+        };
+        const bool endA = (a.runs[c] > 0) == rises; // the end of a lies beside b
+        const bool endB = (b.runs[c] > 0) != rises;
+        if (std::abs(acrossAt(a, endA) - acrossAt(b, endB)) <= rounding) {
+            return Meeting{endA ? a.high : a.low, endB ? b.high : b.low};
+        }
+    }
+    return std::nullopt;
 }
 
 /// All self-intersections of one curve.
@@ -82,25 +107,14 @@ class CrossingSearch {
     }
 
     SelfCrossings run() {
-        // Sweep from left to right: of the arcs begun, those that have not ended yet.
-        std::vector<std::size_t> order(arcs_.size());
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            order[i] = i;
-        }
-        std::ranges::sort(order, {}, [&](std::size_t i) { return arcs_[i].least[0]; });
-        std::vector<std::size_t> open;
-        for (const std::size_t i : order) {
-            std::erase_if(open, [&](std::size_t k) { return !overlap(arcs_[k], arcs_[i], 0); });
-            for (const std::size_t k : open) {
-                if (overlap(arcs_[k], arcs_[i], 1)) {
-                    meet(std::min(i, k), std::max(i, k));
-                }
-                if (found_.size() > room_ && !makeRoom()) {
-                    return finished();
-                }
+        ArcPairs pairs(arcs_);
+        while (const auto pair = pairs.next(work_)) {
+            meet(pair->first, pair->second);
+            if (found_.size() > room_ && !makeRoom()) {
+                break;
             }
-            open.push_back(i);
         }
+        complete_ = complete_ && work_ > 0;
         return finished();
     }
 
@@ -114,11 +128,27 @@ class CrossingSearch {
         if (shared.secondFollows != shared.firstFollows && runsThrough(a, b)) {
             return;
         }
+        work_ -= workOfAPair;
+        if (overlapOf(a, b, pieces_[0])) {
+            work_ -= workOfLooks(1);
+            complete_ = false;
+            return;
+        }
+        if (const auto meeting = passingOn(a, b)) {
+            add(passing(a.segment, meeting->a), passing(b.segment, meeting->b));
+            return;
+        }
         const Meetings meetings = meetingsOf(a, b, shared, pieces_[0]);
+        work_ -= workOfLooks(meetings.looks);
         complete_ = complete_ && !meetings.coincide;
         for (const auto& meeting : meetings.all) {
             add(passing(a.segment, meeting.a), passing(b.segment, meeting.b));
         }
+    }
+
+    std::int64_t workOfLooks(int looks) const {
+        const std::int64_t points = pieces_.degree() + 1;
+        return workOfALook * points * points * looks;
     }
 
     /// The start of a piece, counted among those that get anywhere. The end of a closed curve is
@@ -242,6 +272,7 @@ class CrossingSearch {
     std::vector<std::size_t> moving_; ///< the pieces that get anywhere
     std::vector<std::size_t> number_; ///< of each piece among those
     std::vector<Found> found_;
+    std::int64_t work_ = mostWork;
     bool complete_ = true;
 };
 
