@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace splineloft {
@@ -38,6 +39,7 @@ struct Found {
     Passing a, b;
     Point place;
     double from = 0, to = 0; ///< along the curve; around its seam one of them is below 0
+    ArcPair arcs{};          ///< that meet there
 
     int jointsNamed() const { return (a.u == 0 ? 1 : 0) + (b.u == 0 ? 1 : 0); }
 };
@@ -114,7 +116,6 @@ class CrossingSearch {
                 break;
             }
         }
-        complete_ = complete_ && work_ > 0;
         return finished();
     }
 
@@ -131,18 +132,18 @@ class CrossingSearch {
         work_ -= workOfAPair;
         if (overlapOf(a, b, pieces_[0])) {
             work_ -= workOfLooks(1);
-            complete_ = false;
+            coincide_ = true;
             return;
         }
         if (const auto meeting = passingOn(a, b)) {
-            add(passing(a.segment, meeting->a), passing(b.segment, meeting->b));
+            add(passing(a.segment, meeting->a), passing(b.segment, meeting->b), {i, k});
             return;
         }
         const Meetings meetings = meetingsOf(a, b, shared, pieces_[0]);
         work_ -= workOfLooks(meetings.looks);
-        complete_ = complete_ && !meetings.coincide;
+        undecided_ = undecided_ || meetings.coincide;
         for (const auto& meeting : meetings.all) {
-            add(passing(a.segment, meeting.a), passing(b.segment, meeting.b));
+            add(passing(a.segment, meeting.a), passing(b.segment, meeting.b), {i, k});
         }
     }
 
@@ -184,7 +185,7 @@ class CrossingSearch {
         return isSeam ? Spot{0, 0} : Spot{moving_[passing.segment], passing.u};
     }
 
-    void add(Passing a, Passing b) {
+    void add(Passing a, Passing b, ArcPair arcs) {
         if (a == b) {
             return; // one spot is no crossing
         }
@@ -195,14 +196,30 @@ class CrossingSearch {
         const bool beforeSeam = closed_ && along(b) > around - spotTolerance;
         found_.push_back({a, b, pieces_.position(spotOf(a)),
                           beforeSeam ? along(b) - around : along(a),
-                          beforeSeam ? along(a) : along(b)});
+                          beforeSeam ? along(a) : along(b), arcs});
     }
 
-    /// Whether two meetings of arcs are one.
+    /// Whether two meetings of arcs are one: as exactly as each is known.
     bool same(const Found& p, const Found& q) const {
         return std::abs(p.from - q.from) <= spotTolerance &&
                std::abs(p.to - q.to) <= spotTolerance &&
-               distance(p.place, q.place) <= placeTolerance * sizeAt(q);
+               (distance(p.place, q.place) <= placeTolerance * sizeAt(q) || touchBetween(p, q));
+    }
+
+    /// Whether the branches do not come apart, beyond rounding, halfway between.
+    bool touchBetween(const Found& p, const Found& q) const {
+        const Jet a = pieces_.jet(spotAlong(std::midpoint(p.from, q.from)));
+        const Point gap = pieces_.position(spotAlong(std::midpoint(p.to, q.to))) - a.position;
+        const Point way = unitVector(a.first);
+        const double rounding = 64 * epsilon * (norm(a.position) + sizeAt(q));
+        return std::abs(way[0] * gap[1] - way[1] * gap[0]) <= rounding;
+    }
+
+    Spot spotAlong(double way) const {
+        const auto count = static_cast<double>(moving_.size());
+        way = way < 0 ? way + count : way;
+        const double number = std::min(std::floor(way), count - 1);
+        return {moving_[static_cast<std::size_t>(number)], way - number};
     }
 
     /// What lengths around a crossing are compared with.
@@ -241,15 +258,65 @@ class CrossingSearch {
         found_ = std::move(kept);
     }
 
+    /// The arc itself and those before and after it, around the seam of a closed curve too.
+    std::vector<std::size_t> around(std::size_t arc) const {
+        const std::size_t count = arcs_.size();
+        std::vector<std::size_t> result = {arc};
+        if (arc + 1 < count || closed_) {
+            result.push_back((arc + 1) % count);
+        }
+        if (arc > 0 || closed_) {
+            result.push_back((arc + count - 1) % count);
+        }
+        return result;
+    }
+
+    /// Whether the place lies on a stretch of two arcs that coincide, where arcs that follow these
+    /// meet their neighbours.
+    bool amongCoinciding(const Found& found) const {
+        for (const std::size_t i : around(found.arcs.first)) {
+            for (const std::size_t k : around(found.arcs.second)) {
+                if (i != k && overlapHolds(arcs_[i], arcs_[k], found.place)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool overlapHolds(const Arc& a, const Arc& b, const Point& place) const {
+        const auto overlap = overlapOf(a, b, pieces_[0]);
+        if (!overlap) {
+            return false;
+        }
+        // Neither x nor y turns back: the ends are corners of the stretch's box.
+        const Point start = pieces_.position({a.segment, std::lerp(a.low, a.high, overlap->a[0])});
+        const Point end = pieces_.position({a.segment, std::lerp(a.low, a.high, overlap->a[1])});
+        const double slack = placeTolerance * distance(start, end) + 64 * epsilon * norm(place);
+        const auto between = [&](int c) {
+            return place[c] >= std::min(start[c], end[c]) - slack &&
+                   place[c] <= std::max(start[c], end[c]) + slack;
+        };
+        return between(0) && between(1);
+    }
+
+    /// Keeps each once, and none where stretches coincide.
+    void settle() {
+        keepEachOnce();
+        if (coincide_) {
+            std::erase_if(found_, [this](const Found& found) { return amongCoinciding(found); });
+        }
+    }
+
     /// Makes room for more to be found, unless there are too many already.
     bool makeRoom() {
-        keepEachOnce();
+        settle();
         room_ = 2 * found_.size() + leastRoom;
         return found_.size() <= most_;
     }
 
     SelfCrossings finished() {
-        keepEachOnce();
+        settle();
         SelfCrossings result;
         for (const auto& found : found_) {
             result.crossings.push_back({spotOf(found.a), spotOf(found.b), found.place});
@@ -258,7 +325,7 @@ class CrossingSearch {
             return std::tie(p.a.segment, p.a.u, p.b.segment, p.b.u) <
                    std::tie(q.a.segment, q.a.u, q.b.segment, q.b.u);
         });
-        result.complete = complete_ && found_.size() <= most_;
+        result.complete = !coincide_ && !undecided_ && work_ > 0 && found_.size() <= most_;
         result.crossings.resize(std::min(result.crossings.size(), most_));
         return result;
     }
@@ -273,7 +340,7 @@ class CrossingSearch {
     std::vector<std::size_t> number_; ///< of each piece among those
     std::vector<Found> found_;
     std::int64_t work_ = mostWork;
-    bool complete_ = true;
+    bool coincide_ = false, undecided_ = false; ///< some arcs, and whether some do
 };
 
 } // namespace
