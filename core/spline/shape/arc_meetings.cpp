@@ -13,8 +13,10 @@ namespace splineloft {
 namespace {
 
 // Size, relative to the arcs, below which stretches that still run along each other touch: the
-// distance of curves that touch there is about its square, which is rounding.
+// distance of curves that touch there is about its square, which is rounding. Of a short arc beside
+// a long one it is that of the long one, as long as a touch is found so near.
 constexpr double smallest = 0x1p-26;
+constexpr double nearby = 1e-2;
 // Pairs alive at once: stretches that coincide double them with every level.
 constexpr std::size_t mostAlive = 160;
 // Pairs looked at altogether; a crossing takes about a hundred, a touch some hundreds.
@@ -53,6 +55,7 @@ Stretch stretchFrom(std::vector<double> bezier, double low, double high, const P
     s.bezier = std::move(bezier);
     s.low = low;
     s.high = high;
+    s.places.reserve(static_cast<std::size_t>(shape.degree) + 1);
     const auto width = static_cast<std::size_t>(shape.width());
     for (std::size_t i = 0; i < s.bezier.size(); i += width) {
         const double weight = shape.form == Form::rational ? s.bezier[i + 2] : 1;
@@ -115,17 +118,18 @@ class MeetingSearch {
         : shape_(shape), shared_(shared), rounding_(std::max(a.rounding, b.rounding)) {
         pool_.push_back(stretchFrom(a.bezier, 0, 1, shape));
         pool_.push_back(stretchFrom(b.bezier, 0, 1, shape));
-        const double size = std::min(pool_[0].size, pool_[1].size);
-        tiny_ = std::max(smallest * size, 4 * rounding_);
+        const auto [small, large] = std::minmax(pool_[0].size, pool_[1].size);
+        const double close = std::sqrt(rounding_ * large);
+        tiny_ = std::max({smallest * small, 4 * rounding_, std::min(close, nearby * small)});
     }
 
     Meetings run() {
         std::vector<Pair> alive = {{0, 1}};
-        for (int looks = 0; !alive.empty();) {
-            if (alive.size() > mostAlive || looks > mostLooks) {
-                return {{}, true};
+        while (!alive.empty()) {
+            if (alive.size() > mostAlive || meetings_.looks > mostLooks) {
+                return {{}, true, meetings_.looks};
             }
-            looks += static_cast<int>(alive.size());
+            meetings_.looks += static_cast<int>(alive.size());
             std::vector<Pair> next;
             for (const Pair pair : alive) {
                 look(pair, next);
@@ -276,8 +280,7 @@ class MeetingSearch {
             const Jet b = second.jet(at.b);
             const Vec gap = vecOf(b.position) - vecOf(a.position);
             if (steps == 6) {
-                const bool meets = std::hypot(gap.x, gap.y) <= 4 * rounding_;
-                return meets && isNear(at, about) ? std::optional(at) : std::nullopt;
+                return isNear(at, about) ? touchOnArcs(at, first, second) : std::nullopt;
             }
             const Vec a1 = vecOf(a.first), a2 = vecOf(a.second);
             const Vec b1 = vecOf(b.first), b2 = vecOf(b.second);
@@ -291,11 +294,34 @@ class MeetingSearch {
         }
     }
 
-    /// Whether a search went no farther than it should, and stayed on the arcs.
+    /// The touch that is on the arcs: where one ends within rounding before the parallel place,
+    /// they touch in that end.
+    std::optional<Meeting> touchOnArcs(Meeting at, const Piece& first, const Piece& second) const {
+        const double a = std::clamp(at.a, 0.0, 1.0), b = std::clamp(at.b, 0.0, 1.0);
+        if (a != at.a) {
+            at = {a, b == at.b ? beside(first.position(a), second, b) : b};
+        } else if (b != at.b) {
+            at = {beside(second.position(b), first, a), b};
+        }
+        at.a = std::clamp(at.a, 0.0, 1.0);
+        at.b = std::clamp(at.b, 0.0, 1.0);
+        const bool meets = distance(first.position(at.a), second.position(at.b)) <= 4 * rounding_;
+        return meets ? std::optional(at) : std::nullopt;
+    }
+
+    /// Where a piece passes beside a place, near u.
+    static double beside(const Point& place, const Piece& piece, double u) {
+        for (int steps = 0; steps < 2; ++steps) {
+            const Jet jet = piece.jet(u);
+            u += dot(place - jet.position, jet.first) / dot(jet.first, jet.first);
+        }
+        return u;
+    }
+
+    /// Whether a search went no farther than it should.
     static bool isNear(const Meeting& found, const Meeting& about) {
-        constexpr double nearby = 1e-3; // of the arcs
-        return std::abs(found.a - about.a) <= nearby && std::abs(found.b - about.b) <= nearby &&
-               found.a >= 0 && found.a <= 1 && found.b >= 0 && found.b <= 1;
+        constexpr double far = 10 * nearby;
+        return std::abs(found.a - about.a) <= far && std::abs(found.b - about.b) <= far;
     }
 
     const Piece& shape_;

@@ -5,6 +5,7 @@
 #include "core/spline/piece.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace splineloft {
@@ -38,7 +39,16 @@ struct Meeting {
 struct Meetings {
     std::vector<Meeting> all;
     bool coincide = false; ///< they run along each other; then none are named
+    int looks = 0;         ///< pairs of stretches looked at
 };
+
+/// A stretch that two arcs have in common: where it starts and ends, of the way along each.
+struct Overlap {
+    std::array<double, 2> a{}, b{};
+};
+
+/// The stretch along which two arcs coincide within rounding, if there is one.
+std::optional<Overlap> overlapOf(const Arc& a, const Arc& b, const Piece& shape);
 
 /// Where two arcs meet, other than in the ends that they share. `shape` is any piece of the curve.
 Meetings meetingsOf(const Arc& a, const Arc& b, SharedEnds shared, const Piece& shape);
