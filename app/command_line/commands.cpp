@@ -277,22 +277,22 @@ Result<std::string> basisAt(const SpotQuery& query, std::istream& standardInput)
         return chosen.refusal();
     }
     const auto& curve = *chosen->curve;
-    const auto blends = blendsOf(curve);
-    if (blends.size() == 0) {
+    const auto pieces = piecesOf(curve);
+    if (pieces.empty()) {
         return chosen->refuse(tooFewPoints(curve));
     }
-    const auto spots = spotsOf(query, blends.knots());
+    const auto spots = spotsOf(query, pieces.knots());
     if (!spots) {
         return chosen->refuse(spots.refusal());
     }
-    const auto count = blends.controlPoints();
+    const auto count = curve.points.size();
     JsonText json;
     json.beginArray();
     for (const auto& spot : *spots) {
-        const auto basis = blends.basis(spot);
+        const auto basis = blendsOfPiece(curve, spot.segment).basis({0, spot.u});
         json.beginObject(Flow::inLine);
         json.key("t");
-        json.number(blends.knots().parameter(spot));
+        json.number(pieces.knots().parameter(spot));
         writeWeights(json, "weights", basis, 0, count);
         if (familyOf(curve).usesTangents) {
             writeWeights(json, "tangentWeights", basis, count, count);

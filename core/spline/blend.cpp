@@ -73,4 +73,21 @@ Blend operator*(double factor, const Blend& blend) {
     return scaled;
 }
 
+Blend weightedSum(std::span<const double> weights, std::span<const Blend> blends) {
+    std::vector<double> ofControls;
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+        for (const auto& share : blends[i].shares()) {
+            ofControls.resize(std::max(ofControls.size(), share.control + 1));
+            ofControls[share.control] += weights[i] * share.weight;
+        }
+    }
+    Blend sum;
+    for (std::size_t control = 0; control < ofControls.size(); ++control) {
+        if (ofControls[control] != 0) {
+            sum.shares_.push_back({control, ofControls[control]});
+        }
+    }
+    return sum;
+}
+
 } // namespace splineloft

@@ -38,6 +38,8 @@ class Blend {
     friend Blend operator+(const Blend& a, const Blend& b);
     friend Blend operator-(const Blend& a, const Blend& b);
     friend Blend operator*(double factor, const Blend& blend);
+    /// The sum of many blends, each times its weight, in one go.
+    friend Blend weightedSum(std::span<const double> weights, std::span<const Blend> blends);
 
   private:
     std::vector<Share> shares_;

@@ -29,6 +29,31 @@ void refuse(const std::optional<Problem>& problem) {
     }
 }
 
+/// Some of the pieces as blends of n control points.
+BlendPieces blendsOf(const Spline& spline, std::size_t n, const Arrangement& arrangement,
+                     const Range& range) {
+    const auto& layout = arrangement.layout;
+    if (range.size() == 0) {
+        return {layout.degree, n, {}, {}, layout.form};
+    }
+    const auto& family = familyOf(spline);
+    const auto settings = settingsOf(spline, arrangement);
+    auto own = arranged<Blend>(arrangement.places, unitBlends(0, n));
+    for (std::size_t i = 0; i < settings.weights.size(); ++i) {
+        own[i] = settings.weights[i] * own[i];
+    }
+    std::vector<Blend> ownTangents;
+    if (family.usesTangents) {
+        ownTangents = arranged<Blend>(arrangement.places, unitBlends(n, n));
+    }
+    std::vector<Blend> bezier(range.size() * bezierPointsOf(layout));
+    family.blendRecipes(inputFor<Blend>(spline.closed, arrangement, settings, own, ownTangents),
+                        range, bezier);
+    const auto knots = arrangement.joints.knots().subspan(range.first, range.size() + 1);
+    return {layout.degree, n, KnotLine({knots.begin(), knots.end()}), std::move(bezier),
+            layout.form};
+}
+
 } // namespace
 
 bool differInPlacesAlone(const Curve& a, const Curve& b) {
@@ -108,29 +133,17 @@ Pieces piecesOf(const Curve& curve) {
 BlendPieces blendsOf(const Spline& spline, const PointsView& points, const PointsView& tangents) {
     refuse(problemOf(spline, points, tangents));
     const auto arrangement = arrangementOf(spline, points);
-    const auto& layout = arrangement.layout;
-    const auto n = points.size();
-    if (arrangement.pieces() == 0) {
-        return {layout.degree, n, {}, {}, layout.form};
-    }
-    const auto& family = familyOf(spline);
-    const auto settings = settingsOf(spline, arrangement);
-    auto own = arranged<Blend>(arrangement.places, unitBlends(0, n));
-    for (std::size_t i = 0; i < settings.weights.size(); ++i) {
-        own[i] = settings.weights[i] * own[i];
-    }
-    std::vector<Blend> ownTangents;
-    if (family.usesTangents) {
-        ownTangents = arranged<Blend>(arrangement.places, unitBlends(n, n));
-    }
-    std::vector<Blend> bezier(arrangement.pieces() * bezierPointsOf(layout));
-    family.blendRecipes(inputFor<Blend>(spline.closed, arrangement, settings, own, ownTangents),
-                        {0, arrangement.pieces()}, bezier);
-    return {layout.degree, n, arrangement.joints, std::move(bezier), layout.form};
+    return blendsOf(spline, points.size(), arrangement, {0, arrangement.pieces()});
 }
 
 BlendPieces blendsOf(const Curve& curve) {
     return blendsOf(curve, curve.points, curve.tangents);
+}
+
+BlendPieces blendsOfPiece(const Curve& curve, std::size_t segment) {
+    refuse(problemOf(curve));
+    const auto arrangement = arrangementOf(curve, curve.points);
+    return blendsOf(curve, curve.points.size(), arrangement, {segment, segment + 1});
 }
 
 std::size_t controlAtStart(const Curve& curve, std::size_t segment) {

@@ -80,6 +80,9 @@ BlendPieces blendsOf(const Spline& spline, const PointsView& points,
                      const PointsView& tangents = {});
 BlendPieces blendsOf(const Curve& curve);
 
+/// The one piece of them, over its own two knots: O(n), in memory too.
+BlendPieces blendsOfPiece(const Curve& curve, std::size_t segment);
+
 /// Which control point stands at or before the beginning of piece `segment`; for families that
 /// approximate, the one nearest to it.
 std::size_t controlAtStart(const Curve& curve, std::size_t segment);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <vector>
 
 namespace splineloft::families {
@@ -32,17 +33,48 @@ template <Blendable T> class Equations {
     double interval(std::size_t i) const { return intervals_[i]; }
 
     /// Second derivatives at the pieces + 1 points of an open curve.
-    std::vector<T> natural() const {
-        std::vector<T> second(pieces_ + 1);
+    std::vector<T> natural() const { return between(bends(1, pieces_ - 1)); }
+
+    /// Second derivatives of a closed curve, the first repeated at the end.
+    std::vector<T> periodic() const {
+        return around(6.0 * (slopes_[0] - slopes_[pieces_ - 1]), bends(1, pieces_ - 1));
+    }
+
+    /// What the points of the curve weigh in the second derivative at a joint. The equations are
+    /// symmetric, so that one solution, with 1 at this joint for right sides, is the row of their
+    /// inverse.
+    std::vector<double> weightsAt(std::size_t joint, bool closed) const {
+        std::vector<double> inner(pieces_ - 1);
+        const bool isInner = joint > 0 && joint < pieces_;
+        if (isInner) {
+            inner[joint - 1] = 1;
+        }
+        const double first = isInner || !closed ? 0 : 1;
+        const auto row = closed ? around(first, inner) : between(inner);
+        std::vector<double> weights(pieces_ + 1);
+        for (std::size_t i = 0; i < pieces_; ++i) {
+            const double ofSlope = 6 * (row[i] - row[i + 1]);
+            const double ofPoint = intervals_[i] > 0 ? 1 / intervals_[i] * ofSlope : 0;
+            weights[i] -= ofPoint;
+            weights[i + 1] += ofPoint;
+        }
+        return weights;
+    }
+
+  private:
+    /// Solves for an open curve: right sides of the inner joints.
+    template <Blendable R> std::vector<R> between(const std::vector<R>& inner) const {
+        std::vector<R> second(pieces_ + 1);
         if (pieces_ > 1) {
-            std::ranges::move(solve<T>(1, bends(1, pieces_ - 1)), second.begin() + 1);
+            std::ranges::move(solve<R>(1, inner), second.begin() + 1);
         }
         return second;
     }
 
-    /// Second derivatives of a closed curve, the first repeated at the end. The rows form a ring:
-    /// it is cut at joint 0, whose M is found last from its own row.
-    std::vector<T> periodic() const {
+    /// Solves for a closed curve. The rows form a ring: it is cut at joint 0, whose M is found last
+    /// from its own row.
+    template <Blendable R>
+    std::vector<R> around(const R& first, const std::vector<R>& others) const {
         const auto inner = pieces_ - 1;
         const double before = intervals_[pieces_ - 1];
         const double after = intervals_[0];
@@ -51,12 +83,11 @@ template <Blendable T> class Equations {
         unit.back() -= before;
         std::vector<double> pull(pieces_ + 1); // and so to all others
         std::ranges::move(solve<double>(1, unit), pull.begin() + 1);
-        std::vector<T> second(pieces_ + 1);
-        std::ranges::move(solve<T>(1, bends(1, inner)), second.begin() + 1);
+        std::vector<R> second(pieces_ + 1);
+        std::ranges::move(solve<R>(1, others), second.begin() + 1);
         const double diagonal = diagonalOf(0) + before * pull[inner] + after * pull[1];
-        const T right =
-            6.0 * (slopes_[0] - slopes_[pieces_ - 1]) - before * second[inner] - after * second[1];
-        const T cut = (1 / diagonal) * right;
+        const R right = first - before * second[inner] - after * second[1];
+        const R cut = (1 / diagonal) * right;
         for (std::size_t i = 1; i <= inner; ++i) {
             second[i] = second[i] + pull[i] * cut;
         }
@@ -65,7 +96,6 @@ template <Blendable T> class Equations {
         return second;
     }
 
-  private:
     double previous(std::size_t joint) const { return intervals_[(joint + pieces_ - 1) % pieces_]; }
     /// Where neither neighbouring piece has an interval the row is empty: M is 0 there.
     double diagonalOf(std::size_t joint) const {
@@ -100,18 +130,56 @@ template <Blendable T> class Equations {
     std::vector<T> slopes_;
 };
 
+/// Recipes for the second derivatives at the start and the end of pieces, one joint after another.
+class SecondRecipes {
+  public:
+    explicit SecondRecipes(const Input<Blend>& input)
+        : input_(input), equations_(noPlaces(input)) {}
+
+    double interval(std::size_t i) const { return equations_.interval(i); }
+    Blend at(std::size_t joint) const {
+        return weightedSum(equations_.weightsAt(joint, input_.closed), input_.points);
+    }
+
+  private:
+    /// The equations need the knots alone.
+    Equations<double> noPlaces(const Input<Blend>& input) {
+        places_.resize(input.points.size());
+        Input<double> same{places_,          {},          input.knots,   input.intervals,
+                           input.parameters, input.local, input.windows, input.layout,
+                           input.closed};
+        return Equations<double>(same);
+    }
+
+    const Input<Blend>& input_;
+    std::vector<double> places_;
+    Equations<double> equations_;
+};
+
 struct Natural {
     template <Blendable T>
     static void pieces(const Input<T>& input, Range range, std::span<T> bezier) {
-        const Equations<T> equations(input);
-        const auto second = input.closed ? equations.periodic() : equations.natural();
-        for (std::size_t i = range.first; i < range.last; ++i) {
-            const double h = equations.interval(i);
+        const auto fill = [&](std::size_t i, double h, const T& before, const T& after) {
             const T chord = input.points[i + 1] - input.points[i];
             const double sixth = h * h / 6;
-            hermiteToBezier<T>(input.points[i], chord - sixth * (2.0 * second[i] + second[i + 1]),
-                               chord + sixth * (second[i] + 2.0 * second[i + 1]),
-                               input.points[i + 1], bezier.subspan(4 * (i - range.first), 4));
+            hermiteToBezier<T>(input.points[i], chord - sixth * (2.0 * before + after),
+                               chord + sixth * (before + 2.0 * after), input.points[i + 1],
+                               bezier.subspan(4 * (i - range.first), 4));
+        };
+        if constexpr (std::same_as<T, Blend>) {
+            const SecondRecipes recipes(input);
+            Blend before = recipes.at(range.first);
+            for (std::size_t i = range.first; i < range.last; ++i) {
+                Blend after = recipes.at(i + 1);
+                fill(i, recipes.interval(i), before, after);
+                before = std::move(after);
+            }
+        } else {
+            const Equations<T> equations(input);
+            const auto second = input.closed ? equations.periodic() : equations.natural();
+            for (std::size_t i = range.first; i < range.last; ++i) {
+                fill(i, equations.interval(i), second[i], second[i + 1]);
+            }
         }
     }
 };
