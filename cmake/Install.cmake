@@ -9,7 +9,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/splineloft)
 # What a user may include: what splineloft.h names, and what that needs. How families blend, how
 # searches search and how JSON is written is our own affair.
 set(private families|lanes|digits|arrangement|blending|live_pieces|json_tape|json_text|value_reader|handling_json)
-string(APPEND private |scale|rounded|natural_slopes|arcs)
+string(APPEND private |scale|rounded|natural_slopes|arcs|arc_pairs)
 string(APPEND private |corners|fit|knotted|proposers|change/shape|trial|length_chart)
 string(APPEND private |svg_arc|svg_scanner|number_lines|excerpt|heal|reversal|tangents|tidy)
 string(APPEND private |document/change)
