@@ -17,16 +17,16 @@ namespace splineloft {
 struct Spline {
     std::string family = "cardinal";
     /// Values of the family's parameters by key; those left out have their neutral value.
-    std::map<std::string, double> parameters;
+    std::map<std::string, double> parameters = {};
     bool closed = false;
     Ends ends = Ends::doubled; ///< `none` for a B-spline with knots of its own
     /// A B-spline's own knots, which never fall: points + degree + 1 of them, the same up to
     /// degree + 1 times; of a closed one points + 1, the same up to degree times. None: from alpha.
-    std::vector<double> knots;
+    std::vector<double> knots = {};
     /// One a control point, above zero, in families that use them; none where all are 1.
-    std::vector<double> weights;
+    std::vector<double> weights = {};
     /// Values of a parameter at each control point, in place of the one for the whole curve.
-    std::map<std::string, std::vector<double>> local;
+    std::map<std::string, std::vector<double>> local = {};
 
     bool operator==(const Spline&) const = default;
 };

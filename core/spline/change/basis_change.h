@@ -42,18 +42,17 @@ RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b);
 /// As the textbook prints it, one row a line: `1/6 [ -1  3 -3 1 ]`, the factor on the first one.
 std::string textOf(const RationalMatrix& matrix);
 
-/// A way of giving a cubic: the id of a family, or "power" (coefficients of u^3, u^2, u, 1).
-///
-/// | id               | parameters | what is given                          | source | | power | |
-/// a3, a2, a1, a0                         |                        | | bezier           | | its
-/// four points                        | lecture, Bernstein     | | hermite          |            |
-/// start, end, tangent at start, at end   | Smith 1983, M1         | | cardinal         | tension
-/// | four points, as for all that follow    | Smith 1983             | | catmull-rom      | | |
-/// Smith 1983             | | b-spline         |            | | Smith 1983             | | duff |
-/// tension    |                                        | Duff, in Smith 1983    | | beta | bias,
-/// tension |                                     | Barsky 1981            | | bc-spline        | b,
-/// c       |                                        | Mitchell, Netravali 88 | | kochanek-bartels |
-/// tension, continuity, bias |                         | Kochanek, Bartels 1984 |
+/// A way of giving a cubic: the id of a family, or "power", and values of its parameters in the
+/// order given here. What is given besides is a column of four:
+/// - power: no parameters; a3, a2, a1, a0, the coefficients of u^3, u^2, u and 1
+/// - hermite: none; start, end, tangent at the start and at the end (Smith 1983, M1)
+/// - bezier: none; its four points, as with all that follow (lecture, Bernstein)
+/// - cardinal: tension (Smith 1983)
+/// - catmull-rom, b-spline: none (Smith 1983)
+/// - duff: tension (Duff, in Smith 1983)
+/// - beta: bias, tension (Barsky 1981)
+/// - bc-spline: b, c (Mitchell and Netravali 1988)
+/// - kochanek-bartels: tension, continuity, bias (Kochanek and Bartels 1984)
 struct CubicBasis {
     std::string_view id;
     std::vector<Rational> parameters;

@@ -21,7 +21,8 @@ struct Nearest {
 /// and nothing is nearer than a negative distance. Exact up to the rounding of positions, that is,
 /// to about 1e-15 of the farthest coordinate of any piece; of equally near spots, the first one
 /// found. Takes time for every piece, which is passed over where its hull lies farther away than
-/// the best spot so far: for one question to a curve. For many, make a NearestIndex.
+/// the best spot so far: for one question to a curve. For many, make a NearestIndex. `place` has
+/// the curve's number of coordinates; nothing is near one that is not finite.
 std::optional<Nearest> nearestTo(const Pieces& pieces, const Point& place,
                                  double within = std::numeric_limits<double>::infinity());
 

@@ -31,7 +31,7 @@ struct Crossings {
 
 /// The crossings of a curve of any dimension: zeros of the distance from the hyperplane, which is a
 /// Bernstein polynomial on every piece (times the weight on rational ones). None where the
-/// hyperplane is of another dimension, or its normal is zero or not finite. O(pieces).
+/// hyperplane is of another dimension or not finite, or its normal is zero. O(pieces).
 Crossings crossings(const Pieces& pieces, const Hyperplane& hyperplane);
 
 } // namespace splineloft
