@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace splineloft {
 namespace {
@@ -193,6 +195,28 @@ TEST_P(Bounds, areTouchedAndNeverLeft) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Bounds, testing::ValuesIn(familyIds()), testNameOf);
+
+/// Two numbers at each joint must give three; there always are some, those of the curve itself.
+TEST(ConvertOneCoordinate, findsValuesAtEachPointForEveryKochanekBartelsSpline) {
+    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+        Dice dice(seed);
+        const Ends ends = std::array{Ends::open, Ends::doubled, Ends::reflected}.at(seed % 3);
+        Curve curve = emptyCurve({"kochanek-bartels", false, ends}, 1);
+        for (int i = 0; i < 5; ++i) {
+            curve.points.append(Point{dice.between(-10, 10)});
+        }
+        for (const char* key : {"tension", "continuity", "bias"}) {
+            for (int i = 0; i < 5; ++i) {
+                curve.local[key].push_back(dice.between(-1, 1));
+            }
+        }
+        const auto spline = std::get<Curve>(converted(curve, "bezier-spline"));
+        const auto back = converted(spline, "kochanek-bartels");
+        const auto* found = std::get_if<Curve>(&back);
+        ASSERT_NE(found, nullptr) << "seed " << seed << ": " << std::get<Problem>(back).what;
+        expectSame(spline, *found, 1e-11, "seed " + std::to_string(seed));
+    }
+}
 
 } // namespace
 } // namespace splineloft

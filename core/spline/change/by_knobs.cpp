@@ -113,10 +113,12 @@ std::optional<Knobs> knobsAt(const Corner& corner, double tolerance) {
     if (!corner.leaving || !corner.arriving) {
         return knobsAtEnd(corner, tolerance);
     }
-    const auto leaving = fitTwo({{a, b, *corner.leaving}});
-    const auto arriving = fitTwo({{a, b, *corner.arriving}});
-    if (leaving && arriving) {
-        return knobsOf(*leaving, *arriving);
+    if (a.dimension() > 1) { // one coordinate cannot tell the shares of two chords
+        const auto leaving = fitTwo({{a, b, *corner.leaving}});
+        const auto arriving = fitTwo({{a, b, *corner.arriving}});
+        if (leaving && arriving) {
+            return knobsOf(*leaving, *arriving);
+        }
     }
     const Point& longer = norm(a) > norm(b) ? a : b;
     const double square = dot(longer, longer);
