@@ -59,7 +59,8 @@ std::vector<double> placesOf(const Piece& piece) {
     constexpr double most = std::numeric_limits<double>::max();
     std::vector<double> places;
     for (int i = 0; i <= piece.degree; ++i) {
-        for (const double x : piece.bezierPoint(i).coordinates()) {
+        const Point place = piece.bezierPoint(i);
+        for (const double x : place.coordinates()) {
             places.push_back(std::clamp(x, -most, most));
         }
     }
