@@ -13,7 +13,6 @@
 #include "core/spline/shape/turning.h"
 
 #include <algorithm>
-#include <cmath>
 #include <istream>
 #include <numeric>
 #include <optional>
@@ -203,9 +202,6 @@ void writeCrossings(JsonText& json, const SelfCrossings& found, const Pieces& pi
 
 /// Derivatives by t are too large for numbers where a piece takes next to no t. By u they are not.
 std::optional<Refusal> problemOfJet(const Jet& jet, const Spot& spot, const Pieces& pieces) {
-    const auto isFinite = [](const Point& p) {
-        return std::ranges::all_of(p.coordinates(), [](double x) { return std::isfinite(x); });
-    };
     if (isFinite(jet.first) && isFinite(jet.second)) {
         return std::nullopt;
     }

@@ -163,12 +163,7 @@ double RationalSpeed::at(double u) const {
 }
 
 gauss::Samples RationalSpeed::on(double middle, double half) const {
-    gauss::Samples samples;
-    for (std::size_t i = 0; i < gauss::pairs; ++i) {
-        samples.after[i] = at(middle + half * gauss::nodes[i]);
-        samples.before[i] = at(middle - half * gauss::nodes[i]);
-    }
-    return samples;
+    return samplesOf(*this, middle, half);
 }
 
 SpeedHull RationalSpeed::hullOn(double start, double end) const {

@@ -29,6 +29,16 @@ struct Stretch {
     double start = 0, end = 1;
 };
 
+/// A speed at the nodes of a panel, one after the other.
+template <class Speed> gauss::Samples samplesOf(const Speed& speed, double middle, double half) {
+    gauss::Samples samples;
+    for (std::size_t i = 0; i < gauss::pairs; ++i) {
+        samples.after[i] = speed.at(middle + half * gauss::nodes[i]);
+        samples.before[i] = speed.at(middle - half * gauss::nodes[i]);
+    }
+    return samples;
+}
+
 /// The halves of a piece, to u = 1/2 and from there.
 enum class Half { first, second };
 
