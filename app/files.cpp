@@ -72,10 +72,10 @@ Result<ui::Session> beginSession(const std::vector<std::string>& files) {
     return session;
 }
 
-std::vector<std::string> openTogether(ui::Session& session, const std::vector<std::string>& paths) {
+std::vector<std::string> openTogether(ui::Session& session, const ui::OpenFiles& request) {
     std::vector<std::string> opened;
     std::string refused;
-    for (const auto& path : paths) {
+    for (const auto& path : request.paths) {
         auto document = openDocument(path, std::cin);
         if (!document) {
             refused += (refused.empty() ? "" : "; ") + document.refusal().message();
@@ -92,17 +92,17 @@ std::vector<std::string> openTogether(ui::Session& session, const std::vector<st
         session.say("Opened " + listed(opened));
     }
     if (!refused.empty()) {
-        session.complain(refused);
+        session.failed(refused, opened.empty() ? request.chosenIn : std::nullopt);
     }
     return opened;
 }
 
-bool saveTo(ui::Session& session, const std::string& path) {
-    const auto done = saveFile(path, writeDocument(session.history.settled()));
+bool saveTo(ui::Session& session, const ui::SaveFile& request) {
+    const auto done = saveFile(request.path, writeDocument(session.history.settled()));
     if (done) {
-        session.wasSaved(path);
+        session.wasSaved(request.path);
     } else {
-        session.saveFailed(done.refusal().message());
+        session.failed(done.refusal().message(), request.chosenIn);
     }
     return static_cast<bool>(done);
 }
@@ -117,14 +117,14 @@ void exportSamples(ui::Session& session, const ui::ExportSamples& request) {
                                                         : EvenSamples::In::parameter};
     const auto path = sampledPath(study->curve(), even);
     if (!path) {
-        return session.complain(path.refusal().message());
+        return session.failed(path.refusal().message(), request.chosenIn);
     }
     const bool json = fs::path(request.path).extension() == ".json";
     const auto done = saveFile(request.path, json ? samplesAsJson(*path) : samplesAsCsv(*path));
     if (done) {
         session.say("Exported " + std::to_string(request.count) + " samples to " + request.path);
     } else {
-        session.complain(done.refusal().message());
+        session.failed(done.refusal().message(), request.chosenIn);
     }
 }
 

@@ -19,10 +19,10 @@ Result<ui::Session> beginSession(const std::vector<std::string>& files);
 
 /// Opens the first file that can be read and adds the curves of the others, naming those that
 /// cannot. Returns the paths of those that could; where there are none, the document stays.
-std::vector<std::string> openTogether(ui::Session& session, const std::vector<std::string>& paths);
+std::vector<std::string> openTogether(ui::Session& session, const ui::OpenFiles& request);
 
 /// Saves the document. Whether that went well; if not, the file is as it was.
-bool saveTo(ui::Session& session, const std::string& path);
+bool saveTo(ui::Session& session, const ui::SaveFile& request);
 
 void exportSamples(ui::Session& session, const ui::ExportSamples& request);
 

@@ -7,11 +7,11 @@ namespace fs = std::filesystem;
 
 Request requestFor(const FileBrowser& browser, const fs::path& path) {
     switch (browser.purpose) {
-    case FilePurpose::open: return OpenFiles{{path.string()}};
-    case FilePurpose::save: return SaveFile{path.string()};
+    case FilePurpose::open: return OpenFiles{{path.string()}, browser};
+    case FilePurpose::save: return SaveFile{path.string(), browser};
     case FilePurpose::exportSamples: break;
     }
-    return ExportSamples{path.string(), browser.even, browser.count};
+    return ExportSamples{path.string(), browser.even, browser.count, browser};
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "ui/session.h"
 
+#include "ui/refusal.h"
+#include "ui/returned.h"
 #include "ui/settings.h"
 
 #include <algorithm>
@@ -69,8 +71,7 @@ void Session::apply(Edit edit) {
     }
     if (const auto problem = problemOf(edit.next, history.live())) {
         history.cancel();
-        complain((edit.label.empty() ? "This" : edit.label) + " is not possible: " +
-                 problem->place + " " + problem->what + "; right would be: " + problem->remedy);
+        complain(refusalOf(edit.label, *problem, edit.next));
         return tidy();
     }
     if (edit.phase == Phase::preview) {
@@ -104,7 +105,7 @@ void Session::undo() {
     }
     const Document before = history.settled();
     history.undo();
-    followOrder(before);
+    followStep(before);
     tidy();
 }
 
@@ -115,7 +116,7 @@ void Session::redo() {
     }
     const Document before = history.settled();
     history.redo();
-    followOrder(before);
+    followStep(before);
     tidy();
 }
 
@@ -136,7 +137,7 @@ void Session::leaveAnyway(const Departure& departure) {
         if (files->paths.empty()) {
             browse(FilePurpose::open);
         } else {
-            requests.emplace_back(OpenFiles{files->paths});
+            requests.emplace_back(OpenFiles{files->paths, {}});
         }
     } else if (const auto* work = std::get_if<RestoreWork>(&departure)) {
         requests.emplace_back(*work);
@@ -150,7 +151,7 @@ void Session::save(std::optional<Departure> then) {
         browse(FilePurpose::save);
     } else {
         dialog.reset();
-        requests.emplace_back(SaveFile{path});
+        requests.emplace_back(SaveFile{path, {}});
     }
     afterSave_ = std::move(then);
 }
@@ -229,8 +230,15 @@ void Session::wasSaved(std::string file) {
     }
 }
 
-void Session::saveFailed(std::string why) {
-    afterSave_.reset();
+void Session::failed(std::string why, std::optional<FileBrowser> chosenIn) {
+    if (chosenIn && !dialog) {
+        chosenIn->problem = why;
+        chosenIn->overwriteAsked = false;
+        chosenIn->takesKeyboard = true;
+        dialog = std::move(*chosenIn);
+    } else {
+        afterSave_.reset();
+    }
     complain(std::move(why));
 }
 
@@ -269,6 +277,21 @@ void Session::followOrder(const Document& before) {
         id.curve = nowAt(id.curve);
     }
     view.selection = Selection(std::move(ids));
+}
+
+void Session::followStep(const Document& before) {
+    followOrder(before);
+    const auto& was = before.curves;
+    const auto& is = document().curves;
+    view.selection.eraseIf([&](const PointId& id) {
+        return was.size() != is.size() ||
+               was[id.curve]->points.size() != is[id.curve]->points.size();
+    });
+    const Returned back = returned(before, document());
+    if (!back.points.empty()) {
+        view.selection = Selection(back.points);
+        view.activeCurve = back.curve.value_or(back.points.front().curve);
+    }
 }
 
 void Session::tidy() {

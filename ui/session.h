@@ -32,8 +32,9 @@ struct FileBrowser {
     Even even = Even::length;
     int count = 100;
     bool overwriteAsked = false;
-    bool takesKeyboard = false; ///< the field for the name takes it with the next frame
-    bool closed = false;        ///< the person has had enough of it
+    std::string problem;       ///< why what was chosen last could not be done
+    bool takesKeyboard = true; ///< the field for the name takes it with the next frame
+    bool closed = false;       ///< the person has had enough of it
 };
 
 /// A file that was opened or saved before, and whether it is still there.
@@ -45,18 +46,23 @@ struct RecentFile {
 // --- what the program around the interface is asked to do
 // --------------------------------------------
 
+// `chosenIn` is the browser in which a file was chosen: it is shown again where the request fails.
+
 /// Opens the first file that can be read, and adds the curves of the others.
 struct OpenFiles {
     std::vector<std::string> paths;
+    std::optional<FileBrowser> chosenIn = {};
 };
 struct SaveFile {
     std::string path;
+    std::optional<FileBrowser> chosenIn = {};
 };
 /// Writes samples of the active curve, as JSON or CSV by the ending of the path.
 struct ExportSamples {
     std::string path;
     Even even = Even::length;
     int count = 100;
+    std::optional<FileBrowser> chosenIn = {};
 };
 /// Lets the system's dialog do what the browser would.
 struct AskForFile {
@@ -171,7 +177,8 @@ class Session {
     /// Unsaved work of an earlier sitting, over the document as it is in the file of that path.
     void restored(Document work, std::string path, Document inFile);
     void wasSaved(std::string path);
-    void saveFailed(std::string why);
+    /// What a request asked for could not be done: says why, there too where the file was chosen.
+    void failed(std::string why, std::optional<FileBrowser> chosenIn);
     void say(std::string text);
     void complain(std::string text);
 
@@ -204,6 +211,9 @@ class Session {
   private:
     /// Where curves were put in another order, selection and active curve go along.
     void followOrder(const Document& before);
+    /// After a step through the history: what it brought back is selected, and no number that
+    /// stands for another point now.
+    void followStep(const Document& before);
     /// Brings selection, active curve, cursor and studies back into what the document has.
     void tidy();
     /// Puts the cursor where it shows most: within the middle piece, at the lecture's u = 0.6.

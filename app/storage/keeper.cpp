@@ -159,7 +159,7 @@ bool Keeper::carryOutRequests(ui::Session& session) {
 // ------------------------------------------------------------------------------------
 
 void Keeper::carryOut(ui::Session& session, const ui::OpenFiles& request) {
-    const auto opened = openTogether(session, request.paths);
+    const auto opened = openTogether(session, request);
     // The first, which gives the document its name, last: the top of the list.
     for (auto path = opened.rbegin(); path != opened.rend(); ++path) {
         noteRecent(session, *path);
@@ -167,7 +167,7 @@ void Keeper::carryOut(ui::Session& session, const ui::OpenFiles& request) {
 }
 
 void Keeper::carryOut(ui::Session& session, const ui::SaveFile& request) {
-    if (saveTo(session, request.path)) {
+    if (saveTo(session, request)) {
         noteRecent(session, request.path);
     }
 }

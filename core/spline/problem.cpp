@@ -34,6 +34,11 @@ template <class Range, class Name> std::string choice(const Range& range, Name n
 
 constexpr auto keyOf = [](const Parameter& parameter) { return parameter.key; };
 
+/// "is 3", or that it is none that could be written.
+std::string isWords(double value) {
+    return std::isfinite(value) ? "is " + allDigits(value) : "is not a finite number";
+}
+
 /// What is wrong with the value of a parameter.
 std::optional<Problem> valueProblem(const Parameter& parameter, double value,
                                     const std::string& place) {
@@ -41,7 +46,7 @@ std::optional<Problem> valueProblem(const Parameter& parameter, double value,
     if (value >= parameter.least && value <= parameter.most && whole) {
         return std::nullopt;
     }
-    return Problem{place, "is " + allDigits(value),
+    return Problem{place, isWords(value),
                    std::string(parameter.scale == Scale::whole ? "a whole number" : "a number") +
                        " from " + allDigits(parameter.least) + " to " + allDigits(parameter.most)};
 }
@@ -112,7 +117,7 @@ std::optional<Problem> weightsProblem(const Spline& spline, const Family& family
     if (bad == weights.end()) {
         return std::nullopt;
     }
-    return Problem{"/weights/" + std::to_string(bad - weights.begin()), "is " + allDigits(*bad),
+    return Problem{"/weights/" + std::to_string(bad - weights.begin()), isWords(*bad),
                    "a number from " + allDigits(leastWeight) + " to " + allDigits(mostWeight)};
 }
 
@@ -206,11 +211,11 @@ std::optional<Problem> tableProblem(const PointsView& table, int dimension, doub
             if (std::abs(value) <= most) {
                 continue;
             }
-            const bool finite = std::isfinite(value);
             return Problem{place + pointerToken(i) + pointerToken(static_cast<std::size_t>(c)),
-                           finite ? "is " + allDigits(value) : "is not a finite number",
-                           finite ? "a number from " + allDigits(-most) + " to " + allDigits(most)
-                                  : "a finite number"};
+                           isWords(value),
+                           std::isfinite(value)
+                               ? "a number from " + allDigits(-most) + " to " + allDigits(most)
+                               : "a finite number"};
         }
     }
     return std::nullopt;

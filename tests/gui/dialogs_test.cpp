@@ -102,7 +102,7 @@ TEST(Leaving, aSaveThatFailsLeavesNothingBehind) {
     change(driver);
     driver.send(CloseAsked{});
     driver.click(inDialog("Save"));
-    driver.session.saveFailed("the disk is full");
+    driver.session.failed("the disk is full", std::nullopt);
     driver.key(Key::s, withControl);
     driver.session.wasSaved("/there/known.json");
     EXPECT_FALSE(lastRequest<Quit>(driver)) << "that wish to quit is over";
@@ -115,6 +115,7 @@ TEST(Leaving, aSaveThatIsCalledOffDoesNotQuitLater) {
     driver.send(CloseAsked{});
     driver.click(inDialog("Save"));
     ASSERT_TRUE(shows<FileBrowser>(driver)) << "it has no name yet";
+    driver.frames(3);
     driver.click(inDialog("Cancel"));
     driver.key(Key::s, {.shift = true, .control = true});
     ASSERT_TRUE(shows<FileBrowser>(driver));
@@ -199,6 +200,33 @@ TEST(Files, theBrowserSavesUnderTheTypedName) {
     EXPECT_EQ(lastRequest<SaveFile>(driver)->path, folder / "fresh.json") << "with its ending";
     EXPECT_FALSE(driver.session.dialog);
     EXPECT_EQ(driver.steps(), 0) << "nothing that was typed was a shortcut";
+}
+
+TEST(Files, whereASaveFailsTheBrowserIsThereAgainWithTheNameAndTheReason) {
+    Folder folder;
+    Driver driver(plain());
+    change(driver);
+    driver.send(CloseAsked{});
+    driver.click(inDialog("Save"));
+    driver.frames(3);
+    driver.key(Key::a, withControl);
+    driver.type(folder / "gone/first.json");
+    driver.key(Key::enter);
+    ASSERT_TRUE(lastRequest<SaveFile>(driver));
+    const auto asked = *lastRequest<SaveFile>(driver);
+    driver.session.requests.clear();
+    driver.session.failed("there is no such folder", asked.chosenIn);
+    driver.frames(3);
+    ASSERT_TRUE(shows<FileBrowser>(driver));
+    EXPECT_EQ(std::get<FileBrowser>(*driver.session.dialog).name, folder / "gone/first.json");
+    EXPECT_EQ(std::get<FileBrowser>(*driver.session.dialog).problem, "there is no such folder");
+    driver.key(Key::a, withControl);
+    driver.type(folder / "first.json");
+    EXPECT_EQ(std::get<FileBrowser>(*driver.session.dialog).problem, "") << "of another name";
+    driver.key(Key::enter);
+    ASSERT_TRUE(lastRequest<SaveFile>(driver));
+    driver.session.wasSaved(folder / "first.json");
+    EXPECT_TRUE(lastRequest<Quit>(driver)) << "what the save was for is not forgotten";
 }
 
 TEST(Files, whatIsThereIsReplacedOnlyAfterAsking) {

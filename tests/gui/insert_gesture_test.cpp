@@ -159,6 +159,52 @@ TEST(DeleteGesture, theLastPointTakesTheCurveWithIt) {
     }
 }
 
+TEST(DeleteGesture, whatUndoBringsBackIsSelected) {
+    Hand hand(documentOf({curveOf("linear"), curveOf("cardinal")}));
+    hand.session.view.activeCurve = 1;
+    hand.session.view.selection = {{1, 1}, {1, 2}, {1, 6}};
+    hand.key(Key::del);
+    hand.session.view.activeCurve = 0;
+    hand.session.view.selection = {{0, 3}, {1, 2}};
+    hand.key(Key::z, withControl);
+    EXPECT_EQ(hand.session.view.selection, (Selection{{1, 1}, {1, 2}, {1, 6}}));
+    EXPECT_EQ(hand.session.view.activeCurve, 1U);
+    hand.key(Key::y, withControl);
+    EXPECT_TRUE(hand.session.view.selection.empty());
+}
+
+TEST(DeleteGesture, whereUndoTakesPointsAwayNoOtherIsSelectedInTheirStead) {
+    Hand hand(documentOf({curveOf("cardinal")}));
+    hand.doubleClick(hand.placeAt({1, 0.4}));
+    ASSERT_EQ(hand.curve().points.size(), 8U);
+    hand.session.view.selection = {{0, 5}};
+    hand.key(Key::z, withControl);
+    EXPECT_TRUE(hand.session.view.selection.empty()) << "number 5 is another point now";
+    hand.key(Key::y, withControl);
+    EXPECT_EQ(hand.session.view.selection, (Selection{{0, 2}})) << "the point that is there again";
+}
+
+TEST(DeleteGesture, ofABezierSplineUndoSelectsTheAnchorNotItsHandles) {
+    for (const bool closed : {false, true}) {
+        Hand hand(documentOf({curveOf("bezier-spline", closed)}));
+        hand.session.view.selection = {{0, 3}};
+        hand.key(Key::del);
+        hand.key(Key::z, withControl);
+        EXPECT_EQ(hand.session.view.selection, (Selection{{0, 3}}));
+    }
+}
+
+TEST(DeleteGesture, aCurveThatComesBackIsTheActiveOne) {
+    Hand hand(documentOf({curveOf("linear"), curveOf("cardinal"), curveOf("b-spline")}));
+    hand.session.view.activeCurve = 1;
+    hand.key(Key::del, withShift);
+    ASSERT_EQ(hand.session.document().curves.size(), 2U);
+    hand.key(Key::z, withControl);
+    EXPECT_EQ(hand.session.view.activeCurve, 1U);
+    EXPECT_EQ(hand.session.view.selection.size(), 7U);
+    EXPECT_EQ(hand.session.view.selection.begin()->curve, 1U);
+}
+
 TEST(DeleteGesture, downToNothingOneByOneAndBack) {
     for (const auto& family : catalog()) {
         for (const bool closed : {false, true}) {

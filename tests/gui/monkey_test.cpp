@@ -108,7 +108,7 @@ void answerRequests(Driver& driver, Monkey& monkey) {
         if (std::holds_alternative<OpenFiles>(request)) {
             driver.session.opened(monkey.chance.document(), "/there/file.json");
         } else if (const auto* save = std::get_if<SaveFile>(&request)) {
-            monkey.chance.below(3) == 0 ? driver.session.saveFailed("the disk is full")
+            monkey.chance.below(3) == 0 ? driver.session.failed("the disk is full", save->chosenIn)
                                         : driver.session.wasSaved(save->path);
         }
     }

@@ -4,6 +4,7 @@
 #include "hand.h"
 
 #include "core/spline/catalog.h"
+#include "ui/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -213,6 +214,40 @@ TEST(Panels, aNumberOutOfRangeIsRefusedInWords) {
     driver.enter(pointField(0, 1), "2e9");
     EXPECT_EQ(driver.curve().points, sevenPoints());
     EXPECT_TRUE(driver.session.notice);
+}
+
+TEST(Panels, refusalsNameThePlaceAsTheWindowDoes) {
+    Curve curve = curveOf("hermite");
+    curve.coordinates = {"x", "height"};
+    const Document document = documentOf({curve, curveOf("kochanek-bartels")});
+    const auto place = [&](const char* pointer) {
+        const auto words = refusalOf("Set it", {pointer, "|", ""}, document);
+        return words.substr(0, words.find(" |"));
+    };
+    const std::string refused = "Set it is not possible: ";
+    EXPECT_EQ(place("/curves/0/points/2/1"), refused + "height of P₂");
+    EXPECT_EQ(place("/curves/0/points/2"), refused + "P₂");
+    EXPECT_EQ(place("/curves/0/points"), refused + "points");
+    EXPECT_EQ(place("/curves/0/tangents/1/0"), refused + "x of the tangent at P₁");
+    EXPECT_EQ(place("/curves/1/parameters/tension"), refused + "Tension");
+    EXPECT_EQ(place("/curves/1/local/tension/6"), refused + "Tension of P₆");
+    EXPECT_EQ(place("/curves/1/weights/3"), refused + "weight of P₃");
+    EXPECT_EQ(place("/curves/1/knots/3"), refused + "knots");
+    EXPECT_EQ(place("/curves/1/family"), refused + "family");
+    EXPECT_EQ(place("/curves/7/points"), refused + "/curves/7/points") << "there is no such curve";
+    EXPECT_EQ(place("/curves/0/points/70"), refused + "points");
+}
+
+TEST(Panels, ofASelectionTooWhatIsNoNumberIsRefusedInWords) {
+    Driver driver(documentOf({curveOf("cardinal")}));
+    driver.session.view.selection = {{0, 1}, {0, 2}};
+    driver.frames(2);
+    driver.enter({"inspector", {"width", "##selection"}}, "1/0");
+    EXPECT_EQ(driver.curve().points, sevenPoints());
+    ASSERT_TRUE(driver.session.notice);
+    EXPECT_EQ(driver.session.notice->text,
+              "Scale 2 points is not possible: x of P₁ is not a finite number; right would be: a "
+              "finite number");
 }
 
 TEST(Panels, whatIsNoNumberIsLeftAlone) {

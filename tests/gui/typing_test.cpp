@@ -51,6 +51,17 @@ TEST_F(Typing, aSaveSavesWhatIsOnTheScreen) {
     EXPECT_FALSE(driver.session.unsaved());
 }
 
+TEST_F(Typing, whatIsNoNumberIsRefusedInTheWordsOfTheTable) {
+    driver.type(" apples");
+    driver.key(Key::enter);
+    EXPECT_EQ(x(0), before);
+    EXPECT_EQ(driver.steps(), 0);
+    ASSERT_TRUE(driver.session.notice);
+    EXPECT_EQ(driver.session.notice->text,
+              "Set x of P₃ is not possible: x of P₃ is not a finite number; right would be: a "
+              "finite number");
+}
+
 TEST_F(Typing, aChordThatMeansNothingChangesNothing) {
     driver.key(Key::slash, {.control = true, .alt = true});
     EXPECT_EQ(x(0), before) << "not entered yet";

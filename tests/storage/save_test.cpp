@@ -32,7 +32,7 @@ void expectThatNothingIsLost(const Failure& failure) {
             change(session, 2);
             const auto before = contents(path);
             const auto around = names(folder.path());
-            const bool saved = saveTo(session, path.string());
+            const bool saved = saveTo(session, {path.string()});
             std::string wrong = saved ? "saved! " : "";
             wrong += session.unsaved() ? "" : "not unsaved any more! ";
             wrong += session.document() == documentWith(2) ? "" : "another document! ";
@@ -122,7 +122,7 @@ TEST(Save, throughALinkKeepsTheLinkAndReplacesItsTarget) {
     fs::create_symlink("target.json", folder / "path.json");
     ui::Session session(documentWith(1), (folder / "path.json").string());
     change(session, 2);
-    EXPECT_TRUE(saveTo(session, session.path));
+    EXPECT_TRUE(saveTo(session, {session.path}));
     EXPECT_TRUE(fs::is_symlink(folder / "path.json"));
     EXPECT_EQ(contents(folder / "target.json"), writeDocument(documentWith(2)));
     EXPECT_FALSE(session.unsaved());

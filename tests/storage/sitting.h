@@ -18,7 +18,7 @@ class Sitting {
                      AutosavePace pace = {})
         : keeper({folder / "config", folder / "state"}, pace) {
         if (!files.empty()) {
-            openTogether(session, files);
+            openTogether(session, {files});
         }
         keeper.begin(session, files);
     }

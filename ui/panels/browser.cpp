@@ -49,7 +49,7 @@ std::vector<Entry> entriesOf(const FileBrowser& browser) {
 }
 
 /// The files of late that are still there, above those of the folder.
-std::optional<Request> drawRecent(std::span<const RecentFile> recent) {
+std::optional<Request> drawRecent(const FileBrowser& browser, std::span<const RecentFile> recent) {
     constexpr int most = 6; // of them, so that the folder is in sight
     std::optional<Request> request;
     int shown = 0;
@@ -58,7 +58,7 @@ std::optional<Request> drawRecent(std::span<const RecentFile> recent) {
             continue;
         }
         if (ImGui::Selectable(nameWithFolder(file.path).c_str()) && !request) {
-            request = OpenFiles{{file.path}};
+            request = OpenFiles{{file.path}, browser};
         }
         ++shown;
     }
@@ -75,7 +75,7 @@ std::optional<Request> drawList(FileBrowser& browser, std::span<const RecentFile
     const auto height =
         std::min(window.px(320), static_cast<float>(window.rect.height) - window.px(280));
     if (ImGui::BeginChild("files", {window.px(560), height}, true)) {
-        request = drawRecent(recent);
+        request = drawRecent(browser, recent);
         if (browser.folder.has_parent_path() && ImGui::Selectable("↑  ..", false)) {
             browser.folder = browser.folder.parent_path();
         }
@@ -111,6 +111,14 @@ void drawSampleChoice(FileBrowser& browser, const Stage& window) {
     quietText("The ending .csv or .json decides the format.", window);
 }
 
+void drawWarning(const std::string& text, const Stage& window) {
+    if (!text.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(window.theme.surfaces.warning));
+        ImGui::TextUnformatted(brokenAtSpaces(text, window.px(560)).c_str());
+        ImGui::PopStyleColor();
+    }
+}
+
 } // namespace
 
 std::optional<Request> drawBrowser(FileBrowser& browser, std::span<const RecentFile> recent,
@@ -119,7 +127,7 @@ std::optional<Request> drawBrowser(FileBrowser& browser, std::span<const RecentF
     const bool opens = browser.purpose == FilePurpose::open;
     auto request = drawList(browser, opens ? recent : std::span<const RecentFile>(), window);
     ImGui::SetNextItemWidth(window.px(560));
-    if (ImGui::IsWindowAppearing() || browser.takesKeyboard) {
+    if (browser.takesKeyboard) {
         ImGui::SetKeyboardFocusHere();
         browser.takesKeyboard = false;
     }
@@ -131,15 +139,15 @@ std::optional<Request> drawBrowser(FileBrowser& browser, std::span<const RecentF
     }
     if (ImGui::IsItemEdited()) {
         browser.overwriteAsked = false;
+        browser.problem.clear();
     }
     if (browser.purpose == FilePurpose::exportSamples) {
         drawSampleChoice(browser, window);
     }
-    if (browser.overwriteAsked) {
-        ImGui::PushStyleColor(ImGuiCol_Text, packed(window.theme.surfaces.warning));
-        ImGui::Text("“%s” is there already.", chosenPath(browser).filename().string().c_str());
-        ImGui::PopStyleColor();
-    }
+    drawWarning(browser.overwriteAsked
+                    ? "“" + chosenPath(browser).filename().string() + "” is there already."
+                    : browser.problem,
+                window);
     const char* verb = browser.overwriteAsked                 ? "Replace it"
                        : browser.purpose == FilePurpose::open ? "Open"
                        : browser.purpose == FilePurpose::save ? "Save"

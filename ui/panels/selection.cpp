@@ -9,7 +9,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace splineloft::ui {
@@ -18,6 +17,7 @@ namespace {
 /// A field of the section, and what a number entered there does to the box.
 struct Field {
     const char* label;
+    const char* deed;
     double value;
     PlaneMap (*map)(const PlaneBox& box, double number);
     bool possible = true;
@@ -28,25 +28,25 @@ PlanePlace middleOf(const PlaneBox& box) {
 }
 
 std::array<Field, 6> fieldsOf(const PlaneBox& box) {
-    return {Field{"x", box.middle().x,
+    return {Field{"x", "Move ", box.middle().x,
                   [](const PlaneBox& b, double x) { return PlaneMap::moved(x - b.middle().x, 0); }},
-            Field{"y", box.middle().y,
+            Field{"y", "Move ", box.middle().y,
                   [](const PlaneBox& b, double y) { return PlaneMap::moved(0, y - b.middle().y); }},
-            Field{"width", box.width(),
+            Field{"width", "Scale ", box.width(),
                   [](const PlaneBox& b, double width) {
                       return PlaneMap::scaledAbout(middleOf(b), width / b.width(), 1);
                   },
                   box.width() > 0},
-            Field{"height", box.height(),
+            Field{"height", "Scale ", box.height(),
                   [](const PlaneBox& b, double height) {
                       return PlaneMap::scaledAbout(middleOf(b), 1, height / b.height());
                   },
                   box.height() > 0},
-            Field{"turn °", 0,
+            Field{"turn °", "Turn ", 0,
                   [](const PlaneBox& b, double degrees) {
                       return PlaneMap::rotatedAbout(middleOf(b), degrees * std::numbers::pi / 180);
                   }},
-            Field{"scale %", 100, [](const PlaneBox& b, double percent) {
+            Field{"scale %", "Scale ", 100, [](const PlaneBox& b, double percent) {
                       return PlaneMap::scaledAbout(middleOf(b), percent / 100, percent / 100);
                   }}};
 }
@@ -78,10 +78,10 @@ std::optional<Edit> drawSelection(const Session& session, const View& view, cons
         const auto entered = numberField("##selection", field.value, half - stage.px(62));
         ImGui::EndDisabled();
         ImGui::PopID();
-        if (entered && std::isfinite(*entered)) {
+        if (entered) { // what is no number is refused where it would have gone
             const PlaneMap map = field.map(*box, *entered);
             edit = Edit{transformPoints(settled, ids, map, view.axes.across, view.axes.up),
-                        Phase::commit, "Transform " + nameOf(settled, ids)};
+                        Phase::commit, field.deed + nameOf(settled, ids)};
         }
         ++column;
     }
