@@ -36,6 +36,19 @@ TEST(PenGesture, addsAtTheEndOfTheActiveCurve) {
     }
 }
 
+TEST(PenGesture, anEmptyDocumentTakesTheFamilyOfItsFirstCurve) {
+    int digit = 0;
+    for (const auto& family : catalog().first(9)) {
+        Hand hand = penOn({});
+        hand.key(static_cast<Key>(static_cast<int>(Key::digit0) + ++digit));
+        EXPECT_EQ(hand.steps(), 0);
+        hand.click({0, 0});
+        ASSERT_EQ(hand.session.document().curves.size(), 1U) << family.id;
+        EXPECT_EQ(hand.curve().family, family.id);
+        EXPECT_FALSE(problemOf(hand.session.document())) << family.id;
+    }
+}
+
 TEST(PenGesture, theHandleBeingPulledIsUnderThePointer) {
     Hand hand = penOn(documentOf({curveOf("bezier-spline")}));
     const auto handles = [&](PlanePoint at) {

@@ -12,6 +12,18 @@ Hand handOnCardinal() {
     return Hand(documentOf({curveOf("cardinal")}));
 }
 
+TEST(SelectGesture, ofPointsOnOneAnotherTheOneThatIsSeenIsTaken) {
+    Curve curve = curveOf("linear");
+    curve.points.set(5, curve.points.at(2));
+    Hand hand(documentOf({curve, curve}));
+    hand.click(hand.place(2));
+    EXPECT_EQ(hand.session.view.selection, (Selection{{0, 5}})) << "of the active curve the last";
+    hand.session.view.selection.clear();
+    hand.session.view.activeCurve = 1;
+    hand.click(hand.place(2));
+    EXPECT_EQ(hand.session.view.selection, (Selection{{1, 5}}));
+}
+
 TEST(SelectGesture, aClickSelectsThisPointAlone) {
     Hand hand = handOnCardinal();
     for (std::size_t i = 0; i < 7; ++i) {

@@ -2,6 +2,7 @@
 #include "ui/canvas/viewport.h"
 
 #include "ui/canvas/grid.h"
+#include "ui/canvas/wording.h"
 
 #include "hand.h"
 
@@ -15,6 +16,20 @@
 
 namespace splineloft::ui {
 namespace {
+
+TEST(Wording, multiplesThatLieSideBySideReadDifferently) {
+    for (const double start : {0.0, 1.0, -3.2, 1234.5}) {
+        for (const double step : {1.0, 0.5, 2e-3, 1e-6, 5e-7, 2e-8, 1e-9, 5e-10}) {
+            for (int k = 0; k < 50; ++k) {
+                const double here = roundedTo(start + k * step, step);
+                const double next = roundedTo(start + (k + 1) * step, step);
+                EXPECT_NE(decimal(here, step), decimal(next, step)) << start << " by " << step;
+            }
+        }
+    }
+    EXPECT_EQ(decimal(1.000000005, 5e-9), "1.000000005");
+    EXPECT_EQ(decimal(2e9, 1e9), "2e+09");
+}
 
 TEST(ViewportLaws, thereAndBackIsTheSamePixel) {
     for (const double zoom : {1e-7, 0.3, 80.0, 1e5, 1e9}) {

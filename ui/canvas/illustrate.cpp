@@ -166,7 +166,11 @@ class Illustration {
 
     void selection() {
         Spacing spacing(view_.selection.size() > mostNames ? leastGap * scale_ : 0);
+        const bool few = view_.selection.size() <= mostNames;
         for (const auto& id : view_.selection) {
+            if (few && id.curve == view_.activeCurve && id.part == Part::point) {
+                raised(id);
+            }
             if (id.curve < s_.live.curves.size() &&
                 spacing.leavesRoomFor(viewport_.toScreen(placeOf(s_.studies, view_.axes, id)))) {
                 mark(placeOf(s_.studies, view_.axes, id), SignShape::ring, {Role::selected});
@@ -245,6 +249,15 @@ class Illustration {
             at.y < f.bottom() + edge) {
             scene_.marks.push_back({at, shape, ink, 0, size});
         }
+    }
+
+    /// A control point of the active curve once more, above others that lie on it.
+    void raised(const PointId& id) {
+        const Study& study = s_.studies[id.curve];
+        const auto& points = study.inPlane(view_.axes).points();
+        const Role role = isHandle(study, id.index) ? Role::handle : Role::control;
+        mark(points.places()[id.index], shapeOf(study, id.index),
+             {role, static_cast<int>(id.index)}, sizeOfMarks(points));
     }
 
     /// The weight of a point under the pointer or selected, where the curve has weights.

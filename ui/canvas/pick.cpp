@@ -5,7 +5,12 @@
 namespace splineloft::ui {
 namespace {
 
-/// The best candidate so far: the lower score wins.
+/// Whether a mark is drawn above that of another point: points above tangents, and in order.
+bool isAbove(const PointId& id, const PointId& other) {
+    return id.part != other.part ? id.part == Part::point : id > other;
+}
+
+/// The best candidate so far: the lower score wins, and among equals the one that is seen.
 struct Best {
     std::optional<PointId> point;
     double score = 0;
@@ -13,7 +18,8 @@ struct Best {
     void offer(const PointId& id, double distance, bool selected, bool active) {
         // Preference counts like nearness: a selected point wins over one that is 6 pixels nearer.
         const double offered = distance - (selected ? 6 : 0) - (active ? 3 : 0);
-        if (!point || offered < score) {
+        constexpr double equal = 1e-6;
+        if (!point || offered < score - equal || (offered <= score && isAbove(id, *point))) {
             point = id;
             score = offered;
         }

@@ -20,7 +20,7 @@ struct Hit {
 };
 
 /// Looks under `at`, at the curves that hands may touch. Where things lie on top of one another the
-/// selected one wins, then one of the active curve, then the nearest.
+/// selected one wins, then one of the active curve, then the nearest, then the one drawn on top.
 Hit pick(const Document& document, const Studies& studies, const View& view,
          const Viewport& viewport, ScreenPoint at, double scale);
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace splineloft::ui {
@@ -102,6 +103,7 @@ struct View {
     ThemeKind theme = ThemeKind::dark;
 
     std::size_t activeCurve = 0;
+    std::string firstFamily = "cardinal"; ///< of the first curve, where there is none yet
     std::optional<Renaming> renaming;
     Selection selection;
     std::optional<PointId> hovered;

@@ -30,7 +30,12 @@ std::string fixed(double value, int digits) {
 
 std::string decimal(double value, double step) {
     const int digits = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
-    return digits > 6 || step >= 1e7 ? significant(value, 6) : fixed(value, std::max(digits, 0));
+    if (digits <= 6 && step < 1e7) {
+        return fixed(value, std::max(digits, 0));
+    }
+    // As many as tell the multiple from the next one; beyond 16 a double has none to tell.
+    const double places = std::log10(std::max(std::abs(value), step)) + digits;
+    return significant(value, std::clamp(static_cast<int>(std::floor(places + 1e-9)) + 1, 6, 16));
 }
 
 std::string significant(double value, int digits) {

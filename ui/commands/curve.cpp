@@ -36,6 +36,16 @@ void makeGraph(Session& session) {
                    Phase::commit, "Make it y = f(x)"});
 }
 
+/// Another family for the active curve, or for the first one to come.
+void drawAs(Session& session, const std::string& family, const std::string& name) {
+    if (hasCurve(session)) {
+        session.apply({setFamily(session.history.settled(), session.view.activeCurve, family),
+                       Phase::commit, "Draw as " + name});
+    } else {
+        session.view.firstFamily = family;
+    }
+}
+
 /// Another look for the active curve.
 template <class Change> void look(Session& session, Change change, const std::string& label) {
     const auto curve = session.view.activeCurve;
@@ -181,14 +191,13 @@ void addCurveCommands(std::vector<Command>& all) {
         if (digit <= 9) {
             shortcuts.push_back({static_cast<Key>(static_cast<int>(Key::digit0) + digit)});
         }
-        all.push_back(
-            {"family." + id, "Family", called(name), shortcuts,
-             [id, name](Session& s) {
-                 s.apply({setFamily(s.history.settled(), s.view.activeCurve, id), Phase::commit,
-                          "Draw as " + name});
-             },
-             canEditCurve,
-             [id](const Session& s) { return hasCurve(s) && s.active()->curve().family == id; }});
+        all.push_back({"family." + id, "Family", called(name), shortcuts,
+                       [id, name](Session& s) { drawAs(s, id, name); },
+                       [](const Session& s) { return !hasCurve(s) || canEditCurve(s); },
+                       [id](const Session& s) {
+                           return (hasCurve(s) ? s.active()->curve().family : s.view.firstFamily) ==
+                                  id;
+                       }});
         all.back().contexts = {Context::point, Context::curve};
     }
 }

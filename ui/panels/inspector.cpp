@@ -59,9 +59,28 @@ class Inspector {
         ImGui::EndDisabled();
     }
 
+    /// For the first curve, while there is none.
+    void noCurve() {
+        quietText("No curve yet. Press P and click on the canvas to lay down points, or open a "
+                  "file with Ctrl+O.",
+                  stage_);
+        ImGui::Spacing();
+        if (const auto* chosen = familyList(*findFamily(view_.firstFamily))) {
+            view_.firstFamily = chosen->id;
+        }
+    }
+
     void family(const Study& study) {
+        if (const auto* chosen = familyList(study.family())) {
+            commit(setFamily(settled(), view_.activeCurve, chosen->id),
+                   "Draw as " + std::string(chosen->name));
+        }
+    }
+
+    /// The list of families, and what the present one is about; the one that was chosen, or null.
+    const Family* familyList(const Family& now) {
+        const Family* chosen = nullptr;
         heading("Family");
-        const auto& now = study.family();
         const std::string name(now.name);
         ImGui::PushFont(font(Face::bold));
         ImGui::SetNextItemWidth(-1);
@@ -70,7 +89,7 @@ class Inspector {
             for (const auto& family : catalog()) {
                 const std::string option(family.name);
                 if (ImGui::Selectable(option.c_str(), family.id == now.id)) {
-                    commit(setFamily(settled(), view_.activeCurve, family.id), "Draw as " + option);
+                    chosen = &family;
                 }
                 explain(std::string(family.summary));
             }
@@ -82,6 +101,7 @@ class Inspector {
                       (now.source.empty() ? "" : "\n" + std::string(now.source)),
                   stage_);
         ImGui::Spacing();
+        return chosen;
     }
 
     void parameters(const Study& study) {
@@ -337,10 +357,7 @@ std::optional<Edit> drawInspector(const Session& session, View& view, const Stag
         inspector.curves();
         inspector.activeCurve(*study);
     } else {
-        quietText(
-            "No curve yet. Press P and click on the canvas to lay down points, or open a file "
-            "with Ctrl+O.",
-            stage);
+        inspector.noCurve();
     }
     ImGui::End();
     return inspector.edit();

@@ -14,6 +14,10 @@ namespace {
 Document withNewCurve(const Document& document, const View& view, PlanePoint at) {
     Curve curve;
     curve.name = "curve " + std::to_string(document.curves.size() + 1);
+    if (document.curves.empty()) {
+        curve.family = view.firstFamily;
+        curve.ends = familyOf(curve).ends.front();
+    }
     if (view.activeCurve < document.curves.size()) {
         const Curve& model = *document.curves[view.activeCurve];
         curve.family = model.family;
