@@ -164,7 +164,7 @@ TEST(Panels, aSelectionIsMovedScaledAndTurnedByNumbers) {
         driver.settle();
         driver.session.view.selection = {{0, 1}, {0, 2}, {0, 3}, {0, 4}};
         driver.settle();
-        driver.enter({"inspector", {label, "##selection"}}, number);
+        driver.enter({"selection", {label, "##selection"}}, number);
         const Points after = driver.curve().points;
         double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
         for (const std::size_t i : {1, 2, 3, 4}) {
@@ -242,7 +242,7 @@ TEST(Panels, ofASelectionTooWhatIsNoNumberIsRefusedInWords) {
     Driver driver(documentOf({curveOf("cardinal")}));
     driver.session.view.selection = {{0, 1}, {0, 2}};
     driver.frames(2);
-    driver.enter({"inspector", {"width", "##selection"}}, "1/0");
+    driver.enter({"selection", {"width", "##selection"}}, "1/0");
     EXPECT_EQ(driver.curve().points, sevenPoints());
     ASSERT_TRUE(driver.session.notice);
     EXPECT_EQ(driver.session.notice->text,
@@ -310,7 +310,10 @@ TEST(Panels, theRowsSelect) {
     driver.click(pointRow(4));
     EXPECT_EQ(driver.session.view.selection, (Selection{{0, 4}}));
     driver.hold(Key::leftShift);
+    const ScreenPoint before = driver.middle(pointRow(0));
     driver.click(pointRow(1));
+    driver.frames(2);
+    EXPECT_EQ(driver.middle(pointRow(0)).y, before.y) << "the numbers of both push no row away";
     EXPECT_EQ(driver.session.view.selection, (Selection{{0, 1}, {0, 4}}));
     driver.click(pointRow(4));
     EXPECT_EQ(driver.session.view.selection, (Selection{{0, 1}})) << "taken away again";

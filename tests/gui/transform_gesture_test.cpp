@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/canvas/illustrate.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +45,53 @@ TEST(TransformGesture, needsTwoPointsThatLieApart) {
     EXPECT_TRUE(shown());
     hand.session.view.tool = Tool::pen;
     EXPECT_FALSE(shown()) << "the pen has no use for it";
+}
+
+TEST(TransformGesture, theRingIsInViewWhereverTheFrameReaches) {
+    Hand hand = handOnThree();
+    const auto ringFor = [&](Camera camera) {
+        hand.session.view.camera = camera;
+        const Gizmo gizmo = gizmoOf(hand);
+        EXPECT_TRUE(hand.session.canvas.contains(gizmo.ring)) << camera.pixelsPerUnit;
+        return std::pair{gizmo.ring, gizmo.frame};
+    };
+    const Camera usual = hand.session.view.camera;
+    const auto [above, frame] = ringFor(usual);
+    EXPECT_LT(above.y, frame.top);
+    Camera lower = usual;
+    lower.centre.y -= (frame.top - hand.session.canvas.top) / usual.pixelsPerUnit;
+    const auto [below, higher] = ringFor(lower);
+    EXPECT_GT(below.y, higher.bottom());
+    Camera near = usual;
+    near.pixelsPerUnit *= 50;
+    ringFor(near);
+    pull(hand, {0, 0}, 0.01, 0.02);
+    EXPECT_EQ(hand.steps(), 1) << "and it turns from there";
+}
+
+TEST(TransformGesture, whileItTurnsTheFrameTurnsAlong) {
+    Hand hand = handOnThree();
+    const ScreenRect frame = gizmoOf(hand).frame;
+    const PlanePoint from = gripOf(hand, {0, 0});
+    const PlanePoint middle = gizmoOf(hand).box.middle();
+    hand.move(from);
+    hand.press(from);
+    hand.move({middle.x + (from.y - middle.y), middle.y}); // a quarter, to the right
+    const auto& view = hand.session.view;
+    const Situation situation{hand.session.history.settled(), hand.session.history.live(),
+                              hand.session.studies, hand.viewport(), 1};
+    const Scene scene = illustrate(view, hand.session.gesture, situation);
+    const auto drawn = std::ranges::find_if(scene.strokes, [](const SceneStroke& stroke) {
+        return stroke.ink.role == Role::gizmo && stroke.points.size() == 4;
+    });
+    ASSERT_NE(drawn, scene.strokes.end());
+    const auto side = [&](std::size_t i) {
+        const auto& [a, b] = std::pair{drawn->points[i], drawn->points[i + 1]};
+        return std::hypot(b.x - a.x, b.y - a.y);
+    };
+    EXPECT_NEAR(side(0), frame.width, 1e-6);
+    EXPECT_NEAR(side(1), frame.height, 1e-6);
+    EXPECT_NEAR(drawn->points[0].x, drawn->points[1].x, 1e-6) << "what was on top stands upright";
 }
 
 TEST(TransformGesture, aCornerScalesAboutTheOpposite) {

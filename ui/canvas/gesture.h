@@ -76,7 +76,8 @@ struct Transforming {
     Grip grip;
     ScreenPoint from, now;
     bool moved = false;
-    std::string words = {}; ///< what it does so far: "30°"
+    PlaneMap map = {};      ///< what it does so far,
+    std::string words = {}; ///< and in words: "30°"
 };
 
 /// A number at a point is being slid along its stem.

@@ -40,6 +40,22 @@ Transform turned(const PlaneBox& box, const Pull& pull) {
             decimal(degreesOf(angle), 0.1) + "°"};
 }
 
+/// Where the ring of a frame is: above it, else below it, else at the canvas's upper edge.
+ScreenPoint ringOf(const ScreenRect& frame, const ScreenRect& canvas, double scale) {
+    const double edge = ringAbove / 2 * scale;
+    const double above = frame.top - ringAbove * scale;
+    const double below = frame.bottom() + ringAbove * scale;
+    const auto inView = [&](double y) {
+        return y >= canvas.top + edge && y <= canvas.bottom() - edge;
+    };
+    const double left = canvas.left + edge;
+    const double right = std::max(canvas.right() - edge, left);
+    return {std::clamp(frame.left + frame.width / 2, left, right), inView(above) ? above
+                                                                   : inView(below)
+                                                                       ? below
+                                                                       : canvas.top + edge};
+}
+
 /// One axis of a scaling: the side that is pulled, and the one that stays.
 struct Reach {
     double side = 0, still = 0;
@@ -112,6 +128,14 @@ std::vector<Grip> Gizmo::grips() const {
     return all;
 }
 
+Gizmo gizmoAround(const PlaneBox& box, const Viewport& viewport, double scale) {
+    const ScreenPoint a = viewport.toScreen({box.low.x, box.high.y});
+    const ScreenPoint b = viewport.toScreen({box.high.x, box.low.y});
+    const double m = gizmoMargin * scale;
+    const ScreenRect frame{a.x - m, a.y - m, b.x - a.x + 2 * m, b.y - a.y + 2 * m};
+    return {box, frame, ringOf(frame, viewport.frame, scale)};
+}
+
 std::optional<Gizmo> gizmoOf(const Document& document, const View& view, const Viewport& viewport,
                              double scale) {
     if (view.tool != Tool::select || view.selection.size() < 2) {
@@ -121,11 +145,7 @@ std::optional<Gizmo> gizmoOf(const Document& document, const View& view, const V
     if (!box) {
         return std::nullopt;
     }
-    const ScreenPoint a = viewport.toScreen({box->low.x, box->high.y});
-    const ScreenPoint b = viewport.toScreen({box->high.x, box->low.y});
-    const double m = gizmoMargin * scale;
-    const ScreenRect frame{a.x - m, a.y - m, b.x - a.x + 2 * m, b.y - a.y + 2 * m};
-    return Gizmo{*box, frame, {frame.left + frame.width / 2, frame.top - ringAbove * scale}};
+    return gizmoAround(*box, viewport, scale);
 }
 
 std::optional<Grip> gripAt(const Gizmo& gizmo, ScreenPoint at, double scale) {

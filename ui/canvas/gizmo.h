@@ -33,6 +33,9 @@ struct Gizmo {
     std::vector<Grip> grips() const;
 };
 
+/// The frame around a box, with the ring above it, or wherever it is in view.
+Gizmo gizmoAround(const PlaneBox& box, const Viewport& viewport, double scale);
+
 /// The frame of the selection, while the tool selects.
 std::optional<Gizmo> gizmoOf(const Document& document, const View& view, const Viewport& viewport,
                              double scale);

@@ -40,20 +40,34 @@ class ToolMarks {
         if (pulling == nullptr && !std::holds_alternative<Idle>(gesture)) {
             return;
         }
-        const auto gizmo = gizmoOf(s_.live, view_, viewport_, scale_);
+        // The ring takes the frame as it was along; grips have it follow the points.
+        const bool turning = pulling != nullptr && pulling->grip.turns();
+        const auto gizmo = turning ? gizmoAround(pulling->box, viewport_, scale_)
+                                   : gizmoOf(s_.live, view_, viewport_, scale_);
         if (!gizmo) {
             return;
         }
+        const auto moved = [&](ScreenPoint at) {
+            if (!turning) {
+                return at;
+            }
+            const PlanePoint before = viewport_.toPlane(at);
+            const auto [x, y] = pulling->map.apply({before.x, before.y});
+            return viewport_.toScreen(PlanePoint{x, y});
+        };
         const auto& f = gizmo->frame;
-        stroke({gizmo->ring, gizmo->placeOf({0, 1})}, {Role::gizmo});
-        scene_.strokes.push_back(
-            {{{f.left, f.top}, {f.right(), f.top}, {f.right(), f.bottom()}, {f.left, f.bottom()}},
-             {Role::gizmo},
-             true});
+        if (!f.contains(gizmo->ring)) {
+            const int side = gizmo->ring.y < f.top ? 1 : -1;
+            stroke({moved(gizmo->ring), moved(gizmo->placeOf({0, side}))}, {Role::gizmo});
+        }
+        scene_.strokes.push_back({{moved({f.left, f.top}), moved({f.right(), f.top}),
+                                   moved({f.right(), f.bottom()}), moved({f.left, f.bottom()})},
+                                  {Role::gizmo},
+                                  true});
         for (const auto& grip : gizmo->grips()) {
             const bool held =
                 pulling != nullptr ? pulling->grip == grip : view_.hoveredGrip == grip;
-            scene_.marks.push_back({gizmo->placeOf(grip),
+            scene_.marks.push_back({moved(gizmo->placeOf(grip)),
                                     grip.turns() ? SignShape::disc : SignShape::square,
                                     {held ? Role::gripHeld : Role::grip}});
         }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace splineloft::ui {
 namespace {
@@ -54,7 +55,6 @@ class Inspector {
         traits(study);
         axes(study);
         ImGui::BeginDisabled(locked);
-        selection();
         points(study);
         ImGui::EndDisabled();
     }
@@ -228,12 +228,6 @@ class Inspector {
         ImGui::Spacing();
     }
 
-    void selection() {
-        if (auto edit = drawSelection(session_, view_, stage_)) {
-            edit_ = std::move(edit);
-        }
-    }
-
     void points(const Study& study) {
         heading("Points");
         if (auto edit = drawPoints(session_, view_, study, stage_)) {
@@ -350,9 +344,21 @@ class Inspector {
 
 } // namespace
 
+/// The inspector's stage without its foot, and the foot.
+static std::pair<Stage, Stage> divided(const Stage& stage, double foot) {
+    const auto [left, top, width, height] = stage.rect;
+    return {Stage{stage.theme, stage.scale, {left, top, width, height - foot}},
+            Stage{stage.theme, stage.scale, {left, top + height - foot, width, foot}}};
+}
+
 std::optional<Edit> drawInspector(const Session& session, View& view, const Stage& stage) {
-    beginPanel("inspector", stage);
-    Inspector inspector(session, view, stage);
+    // At the foot the numbers of a selection move nothing when they come and go, least of all the
+    // row that was clicked for it.
+    const auto box = boxOfSelection(session.document(), view);
+    const double foot = box ? std::min(selectionHeight(stage), stage.rect.height / 2) : 0;
+    const auto [upper, lower] = divided(stage, foot);
+    beginPanel("inspector", upper);
+    Inspector inspector(session, view, upper);
     if (const Study* study = session.active()) {
         inspector.curves();
         inspector.activeCurve(*study);
@@ -360,7 +366,8 @@ std::optional<Edit> drawInspector(const Session& session, View& view, const Stag
         inspector.noCurve();
     }
     ImGui::End();
-    return inspector.edit();
+    auto edit = box ? drawSelection(session, view, *box, lower) : std::nullopt;
+    return edit ? edit : inspector.edit();
 }
 
 } // namespace splineloft::ui

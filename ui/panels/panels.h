@@ -2,6 +2,7 @@
 // person did: an edit of the document, changes of the view, a command.
 #pragma once
 
+#include "ui/canvas/gizmo.h"
 #include "ui/canvas/motion_plot.h"
 #include "ui/session.h"
 #include "ui/stage.h"
@@ -26,8 +27,10 @@ std::optional<Edit> drawCurves(const Session& session, View& view, const Stage& 
 std::optional<Edit> drawPoints(const Session& session, View& view, const Study& study,
                                const Stage& stage);
 
-/// The box of several selected points in numbers.
-std::optional<Edit> drawSelection(const Session& session, const View& view, const Stage& stage);
+/// The box of several selected points in numbers, at the inspector's foot; how high that is.
+double selectionHeight(const Stage& stage);
+std::optional<Edit> drawSelection(const Session& session, const View& view, const PlaneBox& box,
+                                  const Stage& stage);
 
 /// The numbers of the point for which exact entry was asked, beside it on the canvas.
 std::optional<Edit> drawExactEntry(const Session& session, View& view, const Stage& stage);

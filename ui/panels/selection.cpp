@@ -53,19 +53,25 @@ std::array<Field, 6> fieldsOf(const PlaneBox& box) {
 
 } // namespace
 
-std::optional<Edit> drawSelection(const Session& session, const View& view, const Stage& stage) {
+double selectionHeight(const Stage& stage) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const double rows = 3 * (ImGui::GetFrameHeight() + style.ItemSpacing.y);
+    return 2 * style.WindowPadding.y + font(Face::small)->FontSize + rows + stage.px(2);
+}
+
+std::optional<Edit> drawSelection(const Session& session, const View& view, const PlaneBox& box,
+                                  const Stage& stage) {
+    beginPanel("selection", stage);
+    const auto top = ImGui::GetWindowPos();
+    ImGui::GetWindowDrawList()->AddLine(top, {top.x + ImGui::GetWindowWidth(), top.y},
+                                        packed(stage.theme.surfaces.line), stage.px(1));
     const auto& settled = session.history.settled();
-    const auto box =
-        view.selection.size() > 1 ? boxOfSelection(session.document(), view) : std::nullopt;
-    if (!box) {
-        return std::nullopt;
-    }
-    std::optional<Edit> edit;
     const auto& ids = view.selection.ids();
     quietText("Selection: " + nameOf(settled, ids) + ", about their middle", stage);
+    std::optional<Edit> edit;
     const float half = ImGui::GetContentRegionAvail().x / 2;
     int column = 0;
-    for (const auto& field : fieldsOf(*box)) {
+    for (const auto& field : fieldsOf(box)) {
         if (column % 2 == 1) {
             ImGui::SameLine(ImGui::GetCursorStartPos().x + half + stage.px(6));
         }
@@ -79,13 +85,13 @@ std::optional<Edit> drawSelection(const Session& session, const View& view, cons
         ImGui::EndDisabled();
         ImGui::PopID();
         if (entered) { // what is no number is refused where it would have gone
-            const PlaneMap map = field.map(*box, *entered);
+            const PlaneMap map = field.map(box, *entered);
             edit = Edit{transformPoints(settled, ids, map, view.axes.across, view.axes.up),
                         Phase::commit, field.deed + nameOf(settled, ids)};
         }
         ++column;
     }
-    ImGui::Spacing();
+    ImGui::End();
     return edit;
 }
 

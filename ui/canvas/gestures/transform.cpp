@@ -47,6 +47,7 @@ Reaction step(const Transforming& pulling, const View& view, const PointerEvent&
         return stay(next, view);
     }
     next.now = event.at;
+    next.map = map;
     next.words = words;
     return {next, view, Edit{transformed(pulling, map, view, s), Phase::preview, ""}};
 }
