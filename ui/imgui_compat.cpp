@@ -202,9 +202,10 @@ void releaseActiveWidget() {
 
 const ImWchar* glyphRanges() {
     // What the interface shows and what names are made of. Each letter costs time at the start.
-    static constexpr std::array<ImWchar, 21> ranges = {
+    static constexpr std::array<ImWchar, 23> ranges = {
         0x0020, 0x017F, // Latin
         0x0370, 0x03FF, // Greek
+        0x0400, 0x045F, // Cyrillic
         0x2010, 0x2044, // dashes, quotes, dots, primes
         0x2070, 0x209F, // super- and subscripts
         0x2150, 0x215F, // fractions

@@ -249,6 +249,23 @@ TEST(Clipboard, copiesCutsAndPastesWholeCurvesWhereNoPointIsSelected) {
     EXPECT_EQ(driver.steps(), 3);
 }
 
+TEST(Clipboard, whatIsPastedOutOfViewIsBroughtIntoView) {
+    Driver driver(plain());
+    const Camera before = driver.session.view.camera;
+    ImGui::SetClipboardText("M 0 0 L 1 1");
+    driver.key(Key::v, withControl);
+    driver.frames(2);
+    EXPECT_EQ(driver.session.view.camera, before);
+    ImGui::SetClipboardText("M 300 200 L 500 400");
+    driver.key(Key::v, withControl);
+    driver.frames(2);
+    ASSERT_EQ(driver.session.document().curves.size(), 3U);
+    for (const PointId& id : driver.session.view.selection) {
+        const Point p = driver.session.document().curves[id.curve]->points.at(id.index);
+        EXPECT_TRUE(driver.session.canvas.contains(driver.at({p[0], p[1]})));
+    }
+}
+
 TEST(Clipboard, pastesSvgPathsAndSaysWhatIsWrong) {
     Driver driver(documentOf({curveOf("cardinal")}));
     driver.settle();

@@ -81,7 +81,16 @@ std::vector<PointId> pointsFrom(const Document& document, std::size_t first) {
     return ids;
 }
 
-/// Adds curves to the document as one step, selects them, and moves them off what they would hide.
+bool anyInView(const Session& session, const std::vector<PointId>& ids) {
+    const Viewport viewport{session.view.camera, session.canvas};
+    PointPlaces places(session.document(), session.view.axes);
+    return std::ranges::any_of(ids, [&](const PointId& id) {
+        return session.canvas.contains(viewport.toScreen(places[id]));
+    });
+}
+
+/// Adds curves to the document as one step, selects them, and moves them off what they would hide;
+/// shows the whole document where none of them is in view.
 void addCopies(Session& session, const std::vector<CurveEntry>& copies, const std::string& label) {
     Document next = session.history.settled();
     const auto first = next.curves.size();
@@ -102,6 +111,7 @@ void addCopies(Session& session, const std::vector<CurveEntry>& copies, const st
         session.view.activeCurve = first;
         session.view.cursor = {};
         session.view.selection = Selection(ids);
+        session.view.fitPending |= !anyInView(session, ids);
     }
 }
 
