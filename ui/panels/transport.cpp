@@ -80,7 +80,7 @@ void drawDuration(View& view, const Stage& stage) {
     if (const auto seconds = numberField("##duration", view.duration, stage.px(fieldWidth))) {
         view.duration = clampedTo(*seconds, 0.1, 600, view.duration);
     }
-    explain("Seconds from start to end");
+    explain("Seconds from start to end: 0.1 to 600");
     ImGui::SameLine();
     ImGui::TextUnformatted("s");
 }
