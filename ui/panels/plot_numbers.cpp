@@ -124,7 +124,8 @@ void drawMotionNumbers(const MotionPlot& plot, const Stage& stage, const ScreenR
     }
     lines.rule();
     if (isConstant(plot, *extremes)) {
-        lines.title("the same everywhere");
+        const bool here = valueOf(plot.motion.at(plot.cursor), plot.quantity).has_value();
+        lines.title(here ? "the same everywhere" : "the same wherever it is defined");
         return;
     }
     lines.row("most", inWords(plot, extremes->greatest));
