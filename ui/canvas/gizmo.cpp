@@ -50,10 +50,8 @@ ScreenPoint ringOf(const ScreenRect& frame, const ScreenRect& canvas, double sca
     };
     const double left = canvas.left + edge;
     const double right = std::max(canvas.right() - edge, left);
-    return {std::clamp(frame.left + frame.width / 2, left, right), inView(above) ? above
-                                                                   : inView(below)
-                                                                       ? below
-                                                                       : canvas.top + edge};
+    const double y = inView(above) ? above : inView(below) ? below : canvas.top + edge;
+    return {std::clamp(frame.left + frame.width / 2, left, right), y};
 }
 
 /// One axis of a scaling: the side that is pulled, and the one that stays.
