@@ -1,6 +1,6 @@
 #include "ui/returned.h"
 
-#include "core/spline/catalog.h"
+#include "core/document/handles.h"
 
 #include <algorithm>
 #include <numeric>
@@ -36,7 +36,7 @@ Indices addedPoints(const Curve& before, const Curve& after) {
 }
 
 void select(Returned& result, std::size_t curve, const Curve& as, Indices points) {
-    const auto isHandle = [&](std::size_t i) { return familyOf(as).hasHandles && i % 3 != 0; };
+    const auto isHandle = [&](std::size_t i) { return anchorOf(as, i).has_value(); };
     if (!std::ranges::all_of(points, isHandle)) {
         std::erase_if(points, isHandle);
     }

@@ -39,6 +39,13 @@ void change(Driver& driver) {
     ASSERT_TRUE(driver.session.unsaved());
 }
 
+/// Changes the document, closes the window and answers "Save".
+void closeSaving(Driver& driver) {
+    change(driver);
+    driver.send(CloseAsked{});
+    driver.click(inDialog("Save"));
+}
+
 template <class Wanted> bool shows(const Driver& driver) {
     return driver.session.dialog && std::holds_alternative<Wanted>(*driver.session.dialog);
 }
@@ -86,9 +93,7 @@ TEST(Leaving, dontSaveGoesOnAtOnce) {
 TEST(Leaving, saveSavesFirst) {
     Driver driver(plain());
     driver.session.path = "/there/known.json";
-    change(driver);
-    driver.send(CloseAsked{});
-    driver.click(inDialog("Save"));
+    closeSaving(driver);
     ASSERT_TRUE(lastRequest<SaveFile>(driver));
     EXPECT_EQ(lastRequest<SaveFile>(driver)->path, "/there/known.json");
     EXPECT_EQ(driver.session.requests.size(), 1U) << "not before it is saved";
@@ -99,9 +104,7 @@ TEST(Leaving, saveSavesFirst) {
 TEST(Leaving, aSaveThatFailsLeavesNothingBehind) {
     Driver driver(plain());
     driver.session.path = "/there/known.json";
-    change(driver);
-    driver.send(CloseAsked{});
-    driver.click(inDialog("Save"));
+    closeSaving(driver);
     driver.session.failed("the disk is full", std::nullopt);
     driver.key(Key::s, withControl);
     driver.session.wasSaved("/there/known.json");
@@ -111,9 +114,7 @@ TEST(Leaving, aSaveThatFailsLeavesNothingBehind) {
 TEST(Leaving, aSaveThatIsCalledOffDoesNotQuitLater) {
     Folder folder;
     Driver driver(plain());
-    change(driver);
-    driver.send(CloseAsked{});
-    driver.click(inDialog("Save"));
+    closeSaving(driver);
     ASSERT_TRUE(shows<FileBrowser>(driver)) << "it has no name yet";
     driver.frames(3);
     driver.click(inDialog("Cancel"));
@@ -205,9 +206,7 @@ TEST(Files, theBrowserSavesUnderTheTypedName) {
 TEST(Files, whereASaveFailsTheBrowserIsThereAgainWithTheNameAndTheReason) {
     Folder folder;
     Driver driver(plain());
-    change(driver);
-    driver.send(CloseAsked{});
-    driver.click(inDialog("Save"));
+    closeSaving(driver);
     driver.frames(3);
     driver.key(Key::a, withControl);
     driver.type(folder / "gone/first.json");

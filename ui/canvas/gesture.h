@@ -76,8 +76,7 @@ struct Transforming {
     Grip grip;
     ScreenPoint from, now;
     bool moved = false;
-    PlaneMap map = {};      ///< what it does so far,
-    std::string words = {}; ///< and in words: "30°"
+    Transform done = {}; ///< what it does so far
 };
 
 /// A number at a point is being slid along its stem.

@@ -30,7 +30,7 @@ class ToolMarks {
             handleToCome(*placing);
         } else if (const auto* pulling = std::get_if<Transforming>(&gesture);
                    pulling != nullptr && pulling->moved) {
-            note(pulling->words, pulling->now);
+            note(pulling->done.words, pulling->now);
         }
     }
 
@@ -52,7 +52,7 @@ class ToolMarks {
                 return at;
             }
             const PlanePoint before = viewport_.toPlane(at);
-            const auto [x, y] = pulling->map.apply({before.x, before.y});
+            const auto [x, y] = pulling->done.map.apply({before.x, before.y});
             return viewport_.toScreen(PlanePoint{x, y});
         };
         const auto& f = gizmo->frame;

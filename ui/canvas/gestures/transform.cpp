@@ -33,12 +33,12 @@ Reaction step(const Transforming& pulling, const View& view, const PointerEvent&
     }
     Transforming next = pulling;
     next.moved = pulling.moved || beyondClick(pulling.from, event.at, s);
-    const auto [map, words] = transformBy(pulling, event, s);
+    const Transform done = transformBy(pulling, event, s);
     if (letsGo(event)) {
         Reaction reaction = stay(Idle{}, view);
         if (pulling.moved) {
             const auto deed = std::string(pulling.grip.turns() ? "Turn " : "Scale ");
-            reaction.edit = Edit{transformed(pulling, map, view, s), Phase::commit,
+            reaction.edit = Edit{transformed(pulling, done.map, view, s), Phase::commit,
                                  deed + nameOf(s.settled, pulling.ids)};
         }
         return reaction;
@@ -47,9 +47,8 @@ Reaction step(const Transforming& pulling, const View& view, const PointerEvent&
         return stay(next, view);
     }
     next.now = event.at;
-    next.map = map;
-    next.words = words;
-    return {next, view, Edit{transformed(pulling, map, view, s), Phase::preview, ""}};
+    next.done = done;
+    return {next, view, Edit{transformed(pulling, done.map, view, s), Phase::preview, ""}};
 }
 
 Reaction step(const SlidingStem& sliding, const View& view, const PointerEvent& event,
